@@ -1,0 +1,225 @@
+/*=========================================================================
+ *
+ *  Copyright The DelaunayRefinement Contributors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkDelaunayRefinementMeshFilter_h
+#define itkDelaunayRefinementMeshFilter_h
+
+#include "itkDelaunayRefinementComponent.h"
+#include "itkDelaunayRefinementTypes.h"
+#include "itkImageToMeshFilter.h"
+#include "itkInterpolateImageFunction.h"
+
+#include <string>
+#include <vector>
+
+namespace itk
+{
+/** \class DelaunayRefinementMeshFilter
+ * \brief Turns a segmented 3D image into a tetrahedral mesh with guaranteed quality: image to mesh.
+ *
+ * The first output is a mesh of tetrahedra in the image's physical space (spacing, origin and direction apply), each
+ * with the value of its label as cell data; the second output holds the triangles of its boundary, counterclockwise
+ * as seen from outside. All tetrahedra are positively oriented and have a radius-edge ratio below
+ * RadiusEdgeRatioBound; all planar angles of boundary triangles are above 30 degrees.
+ *
+ * \par The object
+ * One of three definitions:
+ * - labels (integer pixel types, the default): voxels with one of the \c Labels, or any value but 0;
+ * - a threshold: voxels between \c LowerThreshold and \c UpperThreshold, both included;
+ * - an iso value: all points where the interpolated grey value is at or above \c IsoValue.
+ * For the first two the interpolator runs over the indicator of the object (1 inside, 0 outside) and the surface is its
+ * half level. Beyond the image is outside, so an object that touches the image's border is closed there, half a voxel
+ * beyond the centers of its outermost voxels.
+ *
+ * \par Parameters
+ * Delta (mm) is the sampling density of the surface: no surface point is farther than Delta from a vertex on the
+ * surface. Every other parameter has a default that suits most images.
+ *
+ * \par Errors
+ * An ExceptionObject says what to change: no object, NaN in the image, a singular direction, labels that are not in
+ * the image, several labels without a choice, parameters that contradict each other or are out of range, a mesh that
+ * would not fit into memory, MaximumNumberOfVertices reached. An abort ends in ProcessAborted.
+ *
+ * \par References
+ * P. Foteinos, A. Chernikov, N. Chrisochoides, "Guaranteed Quality Tetrahedral Delaunay Meshing for Medical Images",
+ * International Symposium on Voronoi Diagrams in Science and Engineering, 2010.
+ *
+ * \ingroup DelaunayRefinement
+ */
+template <typename TInputImage, typename TOutputMesh>
+class ITK_TEMPLATE_EXPORT DelaunayRefinementMeshFilter : public ImageToMeshFilter<TInputImage, TOutputMesh>
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(DelaunayRefinementMeshFilter);
+
+  using Self = DelaunayRefinementMeshFilter;
+  using Superclass = ImageToMeshFilter<TInputImage, TOutputMesh>;
+  using Pointer = SmartPointer<Self>;
+  using ConstPointer = SmartPointer<const Self>;
+
+  itkNewMacro(Self);
+  itkTypeMacro(DelaunayRefinementMeshFilter, ImageToMeshFilter);
+
+  using InputImageType = TInputImage;
+  using InputPixelType = typename TInputImage::PixelType;
+  using OutputMeshType = TOutputMesh;
+  using InterpolatorType = InterpolateImageFunction<TInputImage, double>;
+  using LabelsType = std::vector<InputPixelType>;
+
+  static constexpr unsigned int ImageDimension = TInputImage::ImageDimension;
+
+  /** The triangles of the mesh's boundary, in physical space, with the label inside as cell data. */
+  OutputMeshType *
+  GetBoundaryOutput();
+
+  /** Sampling density of the surface, in physical units (mm); positive and finite. Unset, it is chosen from the spacing
+   * and the size of the object so that the mesh has some 300,000 tetrahedra at most; GetEffectiveDelta() tells the
+   * choice. Paper, section III. */
+  void
+  SetDelta(double delta);
+  /** 0 if unset. */
+  itkGetConstMacro(Delta, double);
+  void
+  UnsetDelta();
+
+  /** Upper bound on the ratio of circumradius to shortest edge of every tetrahedron. At least 1, default 2. Below 2 the
+   * boundary may have vertices off the surface (paper, Lemma 5). */
+  itkSetMacro(RadiusEdgeRatioBound, double);
+  itkGetConstMacro(RadiusEdgeRatioBound, double);
+
+  /** Upper bound on the circumradius of tetrahedra, in physical units (mm). Positive; default infinity: no bound. */
+  itkSetMacro(CellSize, double);
+  itkGetConstMacro(CellSize, double);
+
+  /** Tetrahedra with a dihedral angle below this, in degrees, are split at their circumcenters as long as that keeps
+   * edges above a quarter of Delta: rule R4' of the paper's section VI-B. In [0, 60); default 0: off. */
+  itkSetMacro(MinimumDihedralAngle, double);
+  itkGetConstMacro(MinimumDihedralAngle, double);
+
+  /** The filter gives up with an exception before the triangulation (vertices outside the object included) has more
+   * vertices. Positive; default: no limit. */
+  itkSetMacro(MaximumNumberOfVertices, SizeValueType);
+  itkGetConstMacro(MaximumNumberOfVertices, SizeValueType);
+
+  /** Defines the object by an iso value, in pixel values: inside is where the interpolated value is at or above. */
+  void
+  SetIsoValue(double value);
+  itkGetConstMacro(IsoValue, double);
+
+  /** Defines the object by a range of pixel values, both ends included. One end may be left unset. */
+  void
+  SetLowerThreshold(double value);
+  itkGetConstMacro(LowerThreshold, double);
+  void
+  SetUpperThreshold(double value);
+  itkGetConstMacro(UpperThreshold, double);
+
+  /** Defines the object by labels, all other pixel values being outside. Empty, the default: every value but 0. */
+  void
+  SetLabels(const LabelsType & labels);
+  itkGetConstReferenceMacro(Labels, LabelsType);
+
+  /** Back to the default definition: every label but 0. */
+  void
+  UnsetObjectDefinition();
+
+  /** Several labels are meshed as one object. Default off: several labels are an error. */
+  itkSetMacro(MergeLabels, bool);
+  itkGetConstMacro(MergeLabels, bool);
+  itkBooleanMacro(MergeLabels);
+
+  /** Only the 18-connected component of the object with the most voxels is meshed. Default off. */
+  itkSetMacro(LargestComponentOnly, bool);
+  itkGetConstMacro(LargestComponentOnly, bool);
+  itkBooleanMacro(LargestComponentOnly);
+
+  /** 18-connected components with fewer voxels are left out. Default 1: all are meshed. */
+  itkSetMacro(MinimumComponentSize, SizeValueType);
+  itkGetConstMacro(MinimumComponentSize, SizeValueType);
+
+  /** The interpolator of the indicator or of the grey values. Default: linear. */
+  itkSetObjectMacro(Interpolator, InterpolatorType);
+  itkGetModifiableObjectMacro(Interpolator, InterpolatorType);
+
+  /** The delta of the last run: Delta, or the one that was chosen. */
+  itkGetConstMacro(EffectiveDelta, double);
+
+  /** Counts and times of the last run, also of one that failed. */
+  itkGetConstReferenceMacro(Statistics, DelaunayRefinementStatistics);
+
+  /** The components of the object in the last run, in the order of their first voxels. */
+  itkGetConstReferenceMacro(Components, std::vector<DelaunayRefinementComponent>);
+
+  /** What the user should know of the last run, a sentence each: components that are missing in the mesh, components
+   * for which delta was lowered. */
+  itkGetConstReferenceMacro(Warnings, std::vector<std::string>);
+
+  /** Seconds of the last run, before the first vertex: scans of the image, components, the oracle. */
+  itkGetConstMacro(PreparationSeconds, double);
+
+  /** Seconds of the last run spent on copying into the output meshes. */
+  itkGetConstMacro(CopySeconds, double);
+
+protected:
+  DelaunayRefinementMeshFilter();
+  ~DelaunayRefinementMeshFilter() override = default;
+
+  void
+  PrintSelf(std::ostream & os, Indent indent) const override;
+
+  void
+  VerifyPreconditions() ITKv5_CONST override;
+
+  void
+  GenerateOutputInformation() override;
+
+  void
+  GenerateData() override;
+
+private:
+  double                          m_Delta{ 0.0 };
+  bool                            m_DeltaIsSet{ false };
+  double                          m_RadiusEdgeRatioBound{ 2.0 };
+  double                          m_CellSize{ std::numeric_limits<double>::infinity() };
+  double                          m_MinimumDihedralAngle{ 0.0 };
+  SizeValueType                   m_MaximumNumberOfVertices{ NumericTraits<SizeValueType>::max() };
+  double                          m_IsoValue{ 0.0 };
+  bool                            m_IsoValueIsSet{ false };
+  double                          m_LowerThreshold{ -std::numeric_limits<double>::infinity() };
+  bool                            m_LowerThresholdIsSet{ false };
+  double                          m_UpperThreshold{ std::numeric_limits<double>::infinity() };
+  bool                            m_UpperThresholdIsSet{ false };
+  LabelsType                      m_Labels{};
+  bool                            m_MergeLabels{ false };
+  bool                            m_LargestComponentOnly{ false };
+  SizeValueType                   m_MinimumComponentSize{ 1 };
+  typename InterpolatorType::Pointer m_Interpolator{};
+
+  double                                   m_EffectiveDelta{ 0.0 };
+  DelaunayRefinementStatistics             m_Statistics{};
+  std::vector<DelaunayRefinementComponent> m_Components{};
+  std::vector<std::string>                 m_Warnings{};
+  double                                   m_PreparationSeconds{ 0.0 };
+  double                                   m_CopySeconds{ 0.0 };
+};
+} // end namespace itk
+
+#ifndef ITK_MANUAL_INSTANTIATION
+#  include "itkDelaunayRefinementMeshFilter.hxx"
+#endif
+
+#endif

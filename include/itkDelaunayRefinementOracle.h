@@ -1,0 +1,107 @@
+/*=========================================================================
+ *
+ *  Copyright The DelaunayRefinement Contributors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkDelaunayRefinementOracle_h
+#define itkDelaunayRefinementOracle_h
+
+#include "itkDelaunayRefinementTypes.h"
+
+namespace itk
+{
+/** \class DelaunayRefinementOracle
+ * \brief The object to be meshed, as the refinement engine sees it: the paper's function f (section II).
+ *
+ * The object is a closed, bounded set; its surface is the boundary of that set. All points and lengths are physical
+ * (mm). Every function may be called by several threads at once.
+ *
+ * The surface is also offered in patches: small pieces that together cover it and can be split until they are as small
+ * as one likes. They serve to sample the surface and to certify that a sample leaves no part of it out.
+ *
+ * \ingroup DelaunayRefinement
+ */
+class DelaunayRefinement_EXPORT DelaunayRefinementOracle
+{
+public:
+  using PointType = DelaunayRefinementPoint;
+
+  /** 0 is outside; the regions of the object are numbered from 1. */
+  using RegionType = std::uint32_t;
+
+  /** Components are numbered from 0. */
+  using ComponentType = std::uint32_t;
+
+  /** An axis-aligned box. */
+  struct BoundsType
+  {
+    PointType minimum;
+    PointType maximum;
+  };
+
+  /** A piece of the surface. */
+  struct SurfacePatch
+  {
+    /** A point of the surface. */
+    PointType point;
+    /** The whole piece lies within this distance of \c point. */
+    double radius;
+    /** Which piece it is, for the oracle. */
+    std::array<std::int32_t, 3> index;
+    std::uint8_t level;
+  };
+
+  virtual ~DelaunayRefinementOracle();
+
+  /** The region that contains the point, 0 if it is outside. */
+  virtual RegionType
+  Classify(const PointType & point) const = 0;
+
+  /** Finds the point of the surface closest to \c point, if there is one within \c maximumDistance. */
+  virtual bool
+  FindClosestSurfacePoint(const PointType & point, double maximumDistance, PointType & closest) const = 0;
+
+  /** Finds the first point of the surface on the way from \c from to \c to. */
+  virtual bool
+  FindFirstCrossing(const PointType & from, const PointType & to, PointType & crossing) const = 0;
+
+  /** Cheap: false only if no point of the surface lies in the axis-aligned box. */
+  virtual bool
+  MayIntersectBox(const BoundsType & box) const = 0;
+
+  /** A box that contains the surface; need not be tight. */
+  virtual BoundsType
+  GetSurfaceBounds() const = 0;
+
+  /** Patches that together cover the surface; empty if there is none. Their order is the oracle's own and always the
+   * same. */
+  virtual std::vector<SurfacePatch>
+  GetSurfacePatches() const = 0;
+
+  /** Appends patches that together cover what \c patch covers, each at most about half as large. */
+  virtual void
+  SplitSurfacePatch(const SurfacePatch & patch, std::vector<SurfacePatch> & parts) const = 0;
+
+  /** Number of components of the object: at least 1 unless it is empty. */
+  virtual ComponentType
+  GetNumberOfComponents() const = 0;
+
+  /** The component that is nearest to a point inside or on the surface. */
+  virtual ComponentType
+  FindComponent(const PointType & point) const = 0;
+};
+} // end namespace itk
+
+#endif

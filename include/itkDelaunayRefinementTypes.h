@@ -1,0 +1,133 @@
+/*=========================================================================
+ *
+ *  Copyright The DelaunayRefinement Contributors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkDelaunayRefinementTypes_h
+#define itkDelaunayRefinementTypes_h
+
+#include "itkDelaunayRefinementEnums.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <vector>
+
+namespace itk
+{
+/** A point of physical space, in the image's units (mm). */
+using DelaunayRefinementPoint = std::array<double, 3>;
+
+/** \class DelaunayRefinementParameters
+ * \brief What the refinement engine is told. Lengths are in physical units (mm).
+ *
+ * \ingroup DelaunayRefinement
+ */
+struct DelaunayRefinementParameters
+{
+  /** Sampling density of the surface (the paper's delta). Positive. */
+  double delta{ 1.0 };
+
+  /** Lower deltas for some components of the object, by the oracle's component number; empty or shorter than the
+   * number of components: \c delta holds for the rest. */
+  std::vector<double> componentDelta{};
+
+  /** Upper bound on the radius-edge ratio of tetrahedra (the paper's rho bar). At least 1. */
+  double radiusEdgeRatioBound{ 2.0 };
+
+  /** Upper bound on the circumradius of tetrahedra inside. Infinite: no bound. */
+  double cellSize{ std::numeric_limits<double>::infinity() };
+
+  /** Rule R4' is applied to tetrahedra with a smaller dihedral angle, in degrees. 0: R4' is off. */
+  double minimumDihedralAngle{ 0.0 };
+
+  /** The refinement stops with VERTEX_LIMIT before the triangulation has more vertices. */
+  std::uint64_t maximumNumberOfVertices{ std::numeric_limits<std::uint64_t>::max() };
+
+  /** Every point is rounded to single precision before it is inserted. */
+  bool roundToFloat{ false };
+
+  /** Called now and then on the calling thread with a growing share of the work done, in [0, 1]; the refinement stops
+   * with STOPPED_BY_CALLER when it returns false. */
+  std::function<bool(double)> progress{};
+};
+
+/** \class DelaunayRefinementStatistics
+ * \brief What the last run did, counted and timed.
+ *
+ * \ingroup DelaunayRefinement
+ */
+struct DelaunayRefinementStatistics
+{
+  /** Vertices inserted by each rule, indexed by DelaunayRefinementEnums::RefinementRule. */
+  std::array<std::size_t, DelaunayRefinementEnums::NumberOfRefinementRules> insertions{};
+
+  /** Circumcenters of R2 replaced by each case, indexed by DelaunayRefinementEnums::EncroachmentCase (NONE is unused). */
+  std::array<std::size_t, DelaunayRefinementEnums::NumberOfEncroachmentCases> encroachments{};
+
+  /** Vertices removed around new feature vertices, and by the encroachment cases. */
+  std::size_t removals{ 0 };
+  std::size_t encroachmentRemovals{ 0 };
+
+  /** Vertices of the final triangulation, those outside the mesh included, by DelaunayRefinementEnums::VertexKind. */
+  std::array<std::size_t, 4> vertices{};
+
+  /** Seconds of wall time: surface sampling, bulk insertion, refinement, extraction. */
+  double samplingSeconds{ 0.0 };
+  double insertionSeconds{ 0.0 };
+  double refinementSeconds{ 0.0 };
+  double extractionSeconds{ 0.0 };
+
+  /** Components of the object, by the oracle's number, in which no tetrahedron has its circumcenter. */
+  std::vector<std::uint32_t> missingComponents{};
+
+  /** For each component for which delta was lowered: its number and the delta that was used. */
+  std::vector<std::pair<std::uint32_t, double>> loweredDeltas{};
+
+  DelaunayRefinementEnums::TerminationReason terminationReason{
+    DelaunayRefinementEnums::TerminationReason::NO_SURFACE_FOUND
+  };
+};
+
+/** \class DelaunayRefinementResult
+ * \brief The tetrahedra whose circumcenters are inside the object (paper, section III), and their boundary.
+ *
+ * \ingroup DelaunayRefinement
+ */
+struct DelaunayRefinementResult
+{
+  /** Points used by at least one tetrahedron. */
+  std::vector<DelaunayRefinementPoint> points{};
+
+  /** FEATURE or FREE, for each point. */
+  std::vector<DelaunayRefinementEnums::VertexKind> pointKinds{};
+
+  /** Positively oriented: det(p1 - p0, p2 - p0, p3 - p0) > 0, which is VTK's and ITK's order. */
+  std::vector<std::array<std::uint32_t, 4>> tetrahedra{};
+
+  /** The oracle's region of each tetrahedron's circumcenter, never 0. */
+  std::vector<std::uint32_t> regions{};
+
+  /** Faces of exactly one tetrahedron, counterclockwise as seen from outside. */
+  std::vector<std::array<std::uint32_t, 3>> boundaryTriangles{};
+
+  /** The region inside each boundary triangle. */
+  std::vector<std::uint32_t> boundaryRegions{};
+};
+} // end namespace itk
+
+#endif
