@@ -101,6 +101,10 @@ public:
   /** The component that is nearest to a point inside or on the surface. */
   virtual ComponentType
   FindComponent(const PointType & point) const = 0;
+
+  /** A box that contains the component and its surface; need not be tight. Default: GetSurfaceBounds(). */
+  virtual BoundsType
+  GetComponentBounds(ComponentType component) const;
 };
 } // end namespace itk
 

@@ -1,0 +1,115 @@
+/*=========================================================================
+ *
+ *  Copyright The DelaunayRefinement Contributors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkDelaunayRefinementGeometry_h
+#define itkDelaunayRefinementGeometry_h
+
+#include "itkDelaunayRefinementTypes.h"
+
+#include <cmath>
+
+namespace itk
+{
+/** \class DelaunayRefinementGeometry
+ * \brief Measures of points, triangles and tetrahedra. No state.
+ *
+ * \ingroup DelaunayRefinement
+ */
+class DelaunayRefinementGeometry
+{
+public:
+  using PointType = DelaunayRefinementPoint;
+
+  static PointType
+  Subtract(const PointType & a, const PointType & b)
+  {
+    return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
+  }
+
+  /** a + factor * b. */
+  static PointType
+  AddScaled(const PointType & a, double factor, const PointType & b)
+  {
+    return { a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2] };
+  }
+
+  static double
+  Dot(const PointType & a, const PointType & b)
+  {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  }
+
+  static PointType
+  Cross(const PointType & a, const PointType & b)
+  {
+    return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
+  }
+
+  static double
+  SquaredDistance(const PointType & a, const PointType & b)
+  {
+    const PointType d = Subtract(a, b);
+    return Dot(d, d);
+  }
+
+  static double
+  Distance(const PointType & a, const PointType & b)
+  {
+    return std::sqrt(SquaredDistance(a, b));
+  }
+
+  /** Six times the signed volume: positive in VTK's order. */
+  static double
+  Determinant(const PointType & a, const PointType & b, const PointType & c, const PointType & d)
+  {
+    return Dot(Subtract(b, a), Cross(Subtract(c, a), Subtract(d, a)));
+  }
+
+  /** A sphere by center and squared radius. */
+  struct SphereType
+  {
+    PointType center;
+    double    squaredRadius;
+  };
+
+  /** The sphere through four points that are not coplanar; exact before rounding where the points are nearly so. */
+  static SphereType
+  ComputeCircumsphere(const PointType & a, const PointType & b, const PointType & c, const PointType & d);
+
+  /** The smallest sphere through three points that are not collinear. */
+  static SphereType
+  ComputeCircumsphere(const PointType & a, const PointType & b, const PointType & c);
+
+  /** Squared length of the shortest of the six edges. */
+  static double
+  ComputeSquaredShortestEdge(const PointType & a, const PointType & b, const PointType & c, const PointType & d);
+
+  /** Squared length of the longest of the six edges. */
+  static double
+  ComputeSquaredLongestEdge(const PointType & a, const PointType & b, const PointType & c, const PointType & d);
+
+  /** Cosine of the smallest of the six dihedral angles. */
+  static double
+  ComputeLargestDihedralCosine(const PointType & a, const PointType & b, const PointType & c, const PointType & d);
+
+private:
+  static SphereType
+  ComputeExactCircumsphere(const PointType & a, const PointType & b, const PointType & c, const PointType & d);
+};
+} // end namespace itk
+
+#endif
