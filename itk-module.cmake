@@ -1,5 +1,6 @@
-set(DOCUMENTATION
-    "Guaranteed quality Delaunay meshing of segmented images: turns a labelled
+set(
+  DOCUMENTATION
+  "Guaranteed quality Delaunay meshing of segmented images: turns a labelled
 3D image into a tetrahedral mesh with bounded radius-edge ratios and boundary
 angles."
 )

@@ -25,7 +25,11 @@ generate_export_header(
 )
 get_target_property(_type DelaunayRefinement TYPE)
 if(_type STREQUAL "STATIC_LIBRARY")
-  target_compile_definitions(DelaunayRefinement PUBLIC DelaunayRefinement_STATIC)
+  target_compile_definitions(
+    DelaunayRefinement
+    PUBLIC
+      DelaunayRefinement_STATIC
+  )
 endif()
 
 enable_testing()

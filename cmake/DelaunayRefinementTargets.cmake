@@ -30,14 +30,25 @@ macro(delaunay_refinement_find_third_party)
     VTK
     9.1
     REQUIRED
-    COMPONENTS CommonCore CommonDataModel IOGeometry IOLegacy IOPLY IOXML
+    COMPONENTS
+      CommonCore
+      CommonDataModel
+      IOGeometry
+      IOLegacy
+      IOPLY
+      IOXML
   )
 endmacro()
 
 # Warnings for a target of ours; never PUBLIC, users choose their own.
 function(delaunay_refinement_warnings target)
   if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
-    target_compile_options(${target} PRIVATE -Wall -Wextra)
+    target_compile_options(
+      ${target}
+      PRIVATE
+        -Wall
+        -Wextra
+    )
     if(DelaunayRefinement_WARNINGS_AS_ERRORS)
       target_compile_options(${target} PRIVATE -Werror)
     endif()
