@@ -18,22 +18,102 @@
 #ifndef itkTetrahedralMeshWriter_h
 #define itkTetrahedralMeshWriter_h
 
-#include "DelaunayRefinementExport.h"
-#include "itkMacro.h"
-#include "itkObjectFactory.h"
 #include "itkProcessObject.h"
+#include "itkTetrahedralMeshFile.h"
 
 #include <string>
 
 namespace itk
 {
 /** \class TetrahedralMeshWriter
- * \brief Writes an itk::Mesh of tetrahedra, or of triangles, through VTK.
+ * \brief Writes an itk::Mesh of tetrahedra, or of triangles, for ParaView, VTK, meshio and others.
+ *
+ * The extension of FileName chooses the format, upper or lower case:
+ * - tetrahedra: .vtu (binary, compressed) or .vtk (legacy, binary);
+ * - triangles: .vtp (binary, compressed), .vtk (legacy, binary), .stl or .ply (binary).
+ *
+ * Points keep the order of the mesh and are written in double precision, in .stl and .ply in single precision. Cell
+ * data that are whole numbers are written as an array of integers named \c label; .stl and .ply hold none. The same
+ * mesh gives the same bytes.
+ *
+ * The file is written under another name in the same folder and renamed when it is complete: a failure or an abort
+ * (AbortGenerateData) leaves nothing behind, and a file of that name as it was.
+ *
+ * \par Errors
+ * An ExceptionObject says what to change: an extension of an unknown kind or not for these cells, a mesh without cells
+ * or with other cells, a folder that is missing or may not be written to, a full disk. An abort ends in ProcessAborted.
  *
  * \ingroup DelaunayRefinement
  */
 template <typename TMesh>
-class TetrahedralMeshWriter;
+class ITK_TEMPLATE_EXPORT TetrahedralMeshWriter : public ProcessObject
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(TetrahedralMeshWriter);
+
+  using Self = TetrahedralMeshWriter;
+  using Superclass = ProcessObject;
+  using Pointer = SmartPointer<Self>;
+  using ConstPointer = SmartPointer<const Self>;
+
+  itkNewMacro(Self);
+  itkTypeMacro(TetrahedralMeshWriter, ProcessObject);
+
+  using MeshType = TMesh;
+
+  /** The mesh to be written. */
+  using Superclass::SetInput;
+  void
+  SetInput(const MeshType * mesh);
+  const MeshType *
+  GetInput();
+
+  /** Name of the file, with a known extension. */
+  itkSetStringMacro(FileName);
+  itkGetStringMacro(FileName);
+
+  /** Brings the mesh up to date and writes it. */
+  void
+  Write();
+
+  void
+  Update() override
+  {
+    this->Write();
+  }
+
+  void
+  UpdateLargestPossibleRegion() override
+  {
+    this->Write();
+  }
+
+protected:
+  TetrahedralMeshWriter();
+  ~TetrahedralMeshWriter() override = default;
+
+  void
+  PrintSelf(std::ostream & os, Indent indent) const override;
+
+  void
+  GenerateData() override;
+
+private:
+  void
+  FlattenPointsAndCells(TetrahedralMeshFileContent & content) const;
+
+  void
+  FlattenLabels(TetrahedralMeshFileContent & content) const;
+
+  const MeshType *
+  GetMesh() const;
+
+  std::string m_FileName{};
+};
 } // end namespace itk
+
+#ifndef ITK_MANUAL_INSTANTIATION
+#  include "itkTetrahedralMeshWriter.hxx"
+#endif
 
 #endif
