@@ -199,8 +199,15 @@ TetrahedralMeshWriter<TMesh>::FlattenLabels(TetrahedralMeshFileContent & content
     const auto [smallest, largest] = std::minmax_element(values.begin(), values.end());
     const auto fits = [low = *smallest, high = *largest](auto type) {
       using LimitsType = std::numeric_limits<decltype(type)>;
-      return (low >= 0 || static_cast<std::int64_t>(low) >= LimitsType::min()) &&
-             (high <= 0 || static_cast<std::uint64_t>(high) <= static_cast<std::uint64_t>(LimitsType::max()));
+      if constexpr (std::is_signed_v<IntegerType>)
+      {
+        return static_cast<std::int64_t>(low) >= LimitsType::min() &&
+               static_cast<std::int64_t>(high) <= LimitsType::max();
+      }
+      else
+      {
+        return static_cast<std::uint64_t>(high) <= static_cast<std::uint64_t>(LimitsType::max());
+      }
     };
     if (fits(std::int32_t{}))
     {
