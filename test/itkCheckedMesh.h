@@ -1,0 +1,52 @@
+/*=========================================================================
+ *
+ *  Copyright The DelaunayRefinement Contributors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkCheckedMesh_h
+#define itkCheckedMesh_h
+
+#include "itkTestGeometry.h"
+
+namespace itk::DelaunayRefinementTest
+{
+/** \class CheckedMesh
+ * \brief A mesh as the checks see it: points, tetrahedra and the triangles that are said to be its boundary.
+ */
+struct CheckedMesh
+{
+  std::vector<PointType>                    points{};
+  std::vector<std::array<std::uint32_t, 4>> tetrahedra{};
+  std::vector<std::array<std::uint32_t, 3>> triangles{};
+
+  /** Cell data, where the mesh has them. */
+  std::vector<double> tetrahedronLabels{};
+  std::vector<double> triangleLabels{};
+};
+
+inline CheckedMesh
+MakeCheckedMesh(const DelaunayRefinementResult & result)
+{
+  CheckedMesh mesh;
+  mesh.points = result.points;
+  mesh.tetrahedra = result.tetrahedra;
+  mesh.triangles = result.boundaryTriangles;
+  mesh.tetrahedronLabels.assign(result.regions.begin(), result.regions.end());
+  mesh.triangleLabels.assign(result.boundaryRegions.begin(), result.boundaryRegions.end());
+  return mesh;
+}
+} // end namespace itk::DelaunayRefinementTest
+
+#endif
