@@ -213,15 +213,16 @@ ComposeXML(vtkDataObject * data, const TetrahedralMeshFile::ProgressType & progr
 
 template <typename TWriter>
 std::string
-ComposeLegacy(vtkDataObject * data, const TetrahedralMeshFile::ProgressType & progress)
+ComposeLegacy(vtkDataObject * data, bool longLabels, const TetrahedralMeshFile::ProgressType & progress)
 {
   vtkNew<TWriter> writer;
   writer->SetFileTypeToBinary();
-  // Version 5.1 is known to fewer readers, and holds no more for us.
-  writer->SetFileVersion(TWriter::VTK_LEGACY_READER_VERSION_4_2);
+  // Version 4.2 is what most readers know; they know 64-bit integers from version 5.1 on.
+  writer->SetFileVersion(longLabels ? TWriter::VTK_LEGACY_READER_VERSION_5_1 : TWriter::VTK_LEGACY_READER_VERSION_4_2);
   writer->SetHeader("Mesh of itk::DelaunayRefinementMeshFilter");
   return RunWriter(writer.Get(), data, progress) ? writer->GetOutputStdString() : std::string();
 }
+
 } // namespace
 
 std::string
@@ -230,6 +231,8 @@ ComposeVTKFile(TetrahedralMeshVTKFormat                  format,
                const TetrahedralMeshFile::ProgressType & progress)
 {
   const SharedArrays arrays(content);
+  const bool         longLabels = std::holds_alternative<std::vector<std::int64_t>>(content.labels) ||
+                          std::holds_alternative<std::vector<std::uint64_t>>(content.labels);
   switch (format)
   {
     case TetrahedralMeshVTKFormat::VTU:
@@ -238,7 +241,7 @@ ComposeVTKFile(TetrahedralMeshVTKFormat                  format,
       return ComposeXML<vtkXMLPolyDataWriter>(arrays.MakePolyData(), progress);
     case TetrahedralMeshVTKFormat::LEGACY:
       return content.pointsPerCell == 4 ? ComposeLegacy<vtkUnstructuredGridWriter>(arrays.MakeGrid(), progress)
-                                        : ComposeLegacy<vtkPolyDataWriter>(arrays.MakePolyData(), progress);
+                                        : ComposeLegacy<vtkPolyDataWriter>(arrays.MakePolyData(), longLabels, progress);
     case TetrahedralMeshVTKFormat::PLY:
       break;
   }
