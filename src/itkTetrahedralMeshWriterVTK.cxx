@@ -222,7 +222,6 @@ ComposeLegacy(vtkDataObject * data, bool longLabels, const TetrahedralMeshFile::
   writer->SetHeader("Mesh of itk::DelaunayRefinementMeshFilter");
   return RunWriter(writer.Get(), data, progress) ? writer->GetOutputStdString() : std::string();
 }
-
 } // namespace
 
 std::string
@@ -240,8 +239,9 @@ ComposeVTKFile(TetrahedralMeshVTKFormat                  format,
     case TetrahedralMeshVTKFormat::VTP:
       return ComposeXML<vtkXMLPolyDataWriter>(arrays.MakePolyData(), progress);
     case TetrahedralMeshVTKFormat::LEGACY:
-      return content.pointsPerCell == 4 ? ComposeLegacy<vtkUnstructuredGridWriter>(arrays.MakeGrid(), progress)
-                                        : ComposeLegacy<vtkPolyDataWriter>(arrays.MakePolyData(), longLabels, progress);
+      return content.pointsPerCell == 4
+               ? ComposeLegacy<vtkUnstructuredGridWriter>(arrays.MakeGrid(), longLabels, progress)
+               : ComposeLegacy<vtkPolyDataWriter>(arrays.MakePolyData(), longLabels, progress);
     case TetrahedralMeshVTKFormat::PLY:
       break;
   }
