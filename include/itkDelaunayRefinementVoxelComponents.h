@@ -1,0 +1,105 @@
+/*=========================================================================
+ *
+ *  Copyright The DelaunayRefinement Contributors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkDelaunayRefinementVoxelComponents_h
+#define itkDelaunayRefinementVoxelComponents_h
+
+#include "itkDelaunayRefinementVoxelMask.h"
+
+#include <vector>
+
+namespace itk
+{
+/** \class DelaunayRefinementVoxelComponents
+ * \brief The 18-connected components of a mask's voxels: those that share a face or an edge belong together, as the
+ * half level of the interpolated mask joins them.
+ *
+ * Components are numbered from 0 in the order of their first voxels.
+ *
+ * \ingroup DelaunayRefinement
+ */
+class DelaunayRefinement_EXPORT DelaunayRefinementVoxelComponents
+{
+public:
+  using IndexType = std::array<std::int32_t, 3>;
+  using ComponentType = std::uint32_t;
+
+  /** Voxels first to last (included) of one row. */
+  struct RunType
+  {
+    std::int32_t  first;
+    std::int32_t  last;
+    ComponentType component;
+  };
+
+  struct ComponentInfoType
+  {
+    std::size_t numberOfVoxels;
+    IndexType   firstVoxel;
+    IndexType   minimum;
+    IndexType   maximum;
+  };
+
+  explicit DelaunayRefinementVoxelComponents(const DelaunayRefinementVoxelMask & mask);
+
+  const std::vector<ComponentInfoType> &
+  GetComponents() const
+  {
+    return m_Components;
+  }
+
+  /** Removes components from here and their voxels from the mask; the others keep their order. */
+  void
+  Remove(const std::vector<bool> & isRemoved, DelaunayRefinementVoxelMask & mask);
+
+  /** The component of a voxel of the object. */
+  ComponentType
+  Find(std::int32_t x, std::int32_t y, std::int32_t z) const;
+
+  /** Runs of all rows, one row after another. */
+  const std::vector<RunType> &
+  GetRuns() const
+  {
+    return m_Runs;
+  }
+
+  /** The first run of row (y, z); that of the next row ends it. */
+  std::size_t
+  GetFirstRun(std::int32_t y, std::int32_t z) const
+  {
+    return m_FirstRuns[static_cast<std::size_t>(z) * m_Size[1] + y];
+  }
+
+private:
+  void
+  FindRuns(const DelaunayRefinementVoxelMask & mask);
+
+  /** Joins the runs of two rows that come within \c reach voxels of each other. */
+  void
+  JoinRows(std::size_t row, std::size_t other, std::int32_t reach, std::vector<ComponentType> & parents) const;
+
+  void
+  Summarize();
+
+  DelaunayRefinementVoxelMask::SizeType m_Size;
+  std::vector<RunType>                  m_Runs{};
+  std::vector<std::size_t>              m_FirstRuns{};
+  std::vector<ComponentInfoType>        m_Components{};
+};
+} // end namespace itk
+
+#endif

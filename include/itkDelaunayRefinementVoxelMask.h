@@ -1,0 +1,138 @@
+/*=========================================================================
+ *
+ *  Copyright The DelaunayRefinement Contributors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkDelaunayRefinementVoxelMask_h
+#define itkDelaunayRefinementVoxelMask_h
+
+#include "DelaunayRefinementExport.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace itk
+{
+/** \class DelaunayRefinementVoxelMask
+ * \brief The object's voxels, a bit each, with one layer of outside all around.
+ *
+ * A cell is the cube between the centers of eight voxels. Cells are numbered from 0: cell 0 lies between the outer
+ * layer and voxel 0, cell n between voxel n - 1 and the outer layer.
+ *
+ * \ingroup DelaunayRefinement
+ */
+class DelaunayRefinement_EXPORT DelaunayRefinementVoxelMask
+{
+public:
+  using SizeType = std::array<std::int32_t, 3>;
+
+  explicit DelaunayRefinementVoxelMask(const SizeType & size);
+
+  /** Number of voxels along each axis. */
+  const SizeType &
+  GetSize() const
+  {
+    return m_Size;
+  }
+
+  /** Sets the row of voxels (y, z) to isInside(0), isInside(1), ... */
+  template <typename TPredicate>
+  void
+  SetRow(std::int32_t y, std::int32_t z, const TPredicate & isInside)
+  {
+    std::uint64_t * row = this->GetRow(y + 1, z + 1);
+    std::uint64_t   word = 0;
+    std::int32_t    bit = 1;
+    for (std::int32_t x = 0; x < m_Size[0]; ++x, ++bit)
+    {
+      if (bit == 64)
+      {
+        *row++ = word;
+        word = 0;
+        bit = 0;
+      }
+      word |= static_cast<std::uint64_t>(isInside(x) ? 1 : 0) << bit;
+    }
+    *row = word;
+  }
+
+  /** Whether voxel (x, y, z) belongs to the object; any index from -1 to the size. */
+  bool
+  Get(std::int32_t x, std::int32_t y, std::int32_t z) const
+  {
+    const std::uint32_t bit = static_cast<std::uint32_t>(x + 1);
+    return this->GetRow(y + 1, z + 1)[bit >> 6] >> (bit & 63u) & 1u;
+  }
+
+  /** Makes voxels first to last (included) of a row outside. */
+  void
+  ClearRun(std::int32_t first, std::int32_t last, std::int32_t y, std::int32_t z);
+
+  /** The eight voxels of a cell: bit dx + 2 dy + 4 dz for voxel (x - 1 + dx, y - 1 + dy, z - 1 + dz). */
+  unsigned int
+  GetConfiguration(std::int32_t x, std::int32_t y, std::int32_t z) const
+  {
+    const unsigned int low = this->GetPair(x, y, z) | this->GetPair(x, y + 1, z) << 2;
+    const unsigned int high = this->GetPair(x, y, z + 1) | this->GetPair(x, y + 1, z + 1) << 2;
+    return low | high << 4;
+  }
+
+  /** Sets bit x of \c words for each cell (x, y, z) with voxels of both kinds; as many words as a row has. */
+  void
+  FindMixedCells(std::int32_t y, std::int32_t z, std::vector<std::uint64_t> & words) const;
+
+  /** The words of a row, outer layer included: bit x + 1 is voxel x. Rows are numbered from the outer layer. */
+  const std::uint64_t *
+  GetRow(std::int32_t paddedY, std::int32_t paddedZ) const
+  {
+    return m_Words.data() + m_WordsPerRow * (static_cast<std::size_t>(paddedZ) * (m_Size[1] + 2) + paddedY);
+  }
+
+  std::size_t
+  GetWordsPerRow() const
+  {
+    return m_WordsPerRow;
+  }
+
+  /** Number of voxels in the object. */
+  std::size_t
+  Count() const;
+
+private:
+  std::uint64_t *
+  GetRow(std::int32_t paddedY, std::int32_t paddedZ)
+  {
+    return m_Words.data() + m_WordsPerRow * (static_cast<std::size_t>(paddedZ) * (m_Size[1] + 2) + paddedY);
+  }
+
+  /** Two neighboring bits of a row. */
+  unsigned int
+  GetPair(std::int32_t x, std::int32_t paddedY, std::int32_t paddedZ) const
+  {
+    const std::uint64_t * row = this->GetRow(paddedY, paddedZ) + (x >> 6);
+    const unsigned int    shift = static_cast<unsigned int>(x) & 63u;
+    const std::uint64_t   low = row[0] >> shift;
+    return static_cast<unsigned int>((shift == 63u ? low | row[1] << 1 : low) & 3u);
+  }
+
+  SizeType                   m_Size;
+  std::size_t                m_WordsPerRow;
+  std::vector<std::uint64_t> m_Words;
+};
+} // end namespace itk
+
+#endif

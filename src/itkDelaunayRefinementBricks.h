@@ -1,0 +1,132 @@
+/*=========================================================================
+ *
+ *  Copyright The DelaunayRefinement Contributors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkDelaunayRefinementBricks_h
+#define itkDelaunayRefinementBricks_h
+
+#include "itkDelaunayRefinementVoxelMask.h"
+
+namespace itk
+{
+/** \class DelaunayRefinementBricks
+ * \brief Which cells of a mask hold surface: bits of bricks of 4 x 4 x 4 cells, below a pyramid of coarser levels.
+ *
+ * A node of level 0 is a brick; a node of level n joins 2 x 2 x 2 nodes of level n - 1.
+ *
+ * \ingroup DelaunayRefinement
+ */
+class DelaunayRefinementBricks
+{
+public:
+  using IndexType = std::array<std::int32_t, 3>;
+
+  static constexpr std::int32_t BrickSize = 4;
+
+  explicit DelaunayRefinementBricks(const DelaunayRefinementVoxelMask & mask);
+
+  /** Bricks with surface, in the order of their first cells. */
+  const std::vector<IndexType> &
+  GetActiveBricks() const
+  {
+    return m_ActiveBricks;
+  }
+
+  /** Bit x + 4 y + 16 z for each cell of a brick; 0 for bricks without surface. */
+  std::uint64_t
+  GetCells(const IndexType & brick) const
+  {
+    const std::int32_t number = m_Numbers[this->ToOffset(0, brick)];
+    return number < 0 ? 0 : m_Cells[number];
+  }
+
+  bool
+  IsActiveCell(const IndexType & cell) const
+  {
+    return this->GetCells({ cell[0] >> 2, cell[1] >> 2, cell[2] >> 2 }) >> GetBit(cell) & 1u;
+  }
+
+  static unsigned int
+  GetBit(const IndexType & cell)
+  {
+    return static_cast<unsigned int>((cell[0] & 3) | (cell[1] & 3) << 2 | (cell[2] & 3) << 4);
+  }
+
+  /** The bits of cells first to last (included) of a brick, by their indexes within it. */
+  static std::uint64_t
+  GetBits(const IndexType & first, const IndexType & last);
+
+  /** Whether a cell between \c first and \c last (included; clamped to what there is) holds surface. */
+  bool
+  IsAnyActive(IndexType first, IndexType last) const;
+
+  unsigned int
+  GetNumberOfLevels() const
+  {
+    return static_cast<unsigned int>(m_Levels.size());
+  }
+
+  const IndexType &
+  GetLevelSize(unsigned int level) const
+  {
+    return m_Levels[level].size;
+  }
+
+  bool
+  IsActiveNode(unsigned int level, const IndexType & node) const
+  {
+    return level == 0 ? m_Numbers[this->ToOffset(0, node)] >= 0 : m_Levels[level].isActive[this->ToOffset(level, node)];
+  }
+
+  /** The least and the greatest index of cells with surface. */
+  const IndexType &
+  GetFirstCell() const
+  {
+    return m_FirstCell;
+  }
+  const IndexType &
+  GetLastCell() const
+  {
+    return m_LastCell;
+  }
+
+private:
+  struct LevelType
+  {
+    IndexType         size;
+    std::vector<bool> isActive;
+  };
+
+  std::size_t
+  ToOffset(unsigned int level, const IndexType & node) const
+  {
+    const IndexType & size = m_Levels[level].size;
+    return (static_cast<std::size_t>(node[2]) * size[1] + node[1]) * size[0] + node[0];
+  }
+
+  bool
+  IsAnyActiveBelow(unsigned int level, const IndexType & node, const IndexType & first, const IndexType & last) const;
+
+  std::vector<LevelType>     m_Levels{};
+  std::vector<std::int32_t>  m_Numbers{};
+  std::vector<std::uint64_t> m_Cells{};
+  std::vector<IndexType>     m_ActiveBricks{};
+  IndexType                  m_FirstCell{};
+  IndexType                  m_LastCell{ -1, -1, -1 };
+};
+} // end namespace itk
+
+#endif

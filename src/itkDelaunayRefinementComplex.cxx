@@ -1,0 +1,154 @@
+/*=========================================================================
+ *
+ *  Copyright The DelaunayRefinement Contributors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkDelaunayRefinementComplex.h"
+
+namespace itk
+{
+DelaunayRefinementComplex::DelaunayRefinementComplex(const DelaunayRefinementOracle & oracle,
+                                                     bool                             roundToFloat,
+                                                     const BoundsType &               box,
+                                                     const std::vector<PointType> &   features,
+                                                     const std::vector<double> &      deltas)
+  : m_Oracle(oracle)
+  , m_RoundToFloat(roundToFloat)
+  , m_Box(box)
+{
+  std::vector<PointType> points;
+  points.reserve(features.size() + 8);
+  this->AddVertex(VertexKind::BOX_EDGE, 0.0); // the infinite vertex
+  m_NumbersOfVertices = {};
+  for (unsigned int corner = 0; corner < 8; ++corner)
+  {
+    PointType point;
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      point[i] = (corner >> i & 1u) ? box.maximum[i] : box.minimum[i];
+    }
+    points.push_back(point);
+    this->AddVertex(VertexKind::BOX_EDGE, 0.0);
+  }
+  for (std::size_t i = 0; i < features.size(); ++i)
+  {
+    points.push_back(features[i]);
+    this->AddVertex(VertexKind::FEATURE, deltas[i]);
+  }
+  m_Triangulation.InsertMany(points);
+  std::vector<IndexType> cells(m_Triangulation.GetNumberOfCellIndexes());
+  for (IndexType cell = 0; cell < cells.size(); ++cell)
+  {
+    cells[cell] = cell;
+  }
+  this->UpdateStates(cells);
+}
+
+DelaunayRefinementComplex::IndexType
+DelaunayRefinementComplex::Insert(const PointType & point, VertexKind kind, double delta, IndexType hint)
+{
+  const IndexType vertex = m_Triangulation.Insert(point, hint);
+  if (vertex != None)
+  {
+    this->AddVertex(kind, delta);
+    this->UpdateStates(m_Triangulation.GetNewCells());
+  }
+  return vertex;
+}
+
+void
+DelaunayRefinementComplex::Remove(IndexType vertex)
+{
+  m_Triangulation.Remove(vertex);
+  --m_NumbersOfVertices[static_cast<std::size_t>(m_Kinds[vertex])];
+  this->UpdateStates(m_Triangulation.GetNewCells());
+}
+
+void
+DelaunayRefinementComplex::FindVerticesWithin(IndexType vertex, double radius, std::vector<IndexType> & found)
+{
+  // From any vertex of a Delaunay triangulation some edge leads nearer to a given other one, so that links between
+  // vertices of the ball reach all of them.
+  found.clear();
+  m_VertexMarks.resize(m_Triangulation.GetNumberOfVertexIndexes(), 0);
+  m_CellMarks.resize(m_Triangulation.GetNumberOfCellIndexes(), 0);
+  ++m_NumberOfSearches;
+  const PointType center = this->GetPoint(vertex);
+  const double    squaredRadius = radius * radius;
+
+  std::vector<IndexType> hubs{ vertex };
+  std::vector<IndexType> cells;
+  m_VertexMarks[vertex] = m_NumberOfSearches;
+  for (std::size_t next = 0; next < hubs.size(); ++next)
+  {
+    const IndexType hub = hubs[next];
+    ++m_NumberOfStars;
+    cells.assign(1, m_Triangulation.GetCellOfVertex(hub));
+    m_CellMarks[cells.front()] = m_NumberOfStars;
+    while (!cells.empty())
+    {
+      const auto & cell = m_Triangulation.GetCell(cells.back());
+      cells.pop_back();
+      for (unsigned int i = 0; i < 4; ++i)
+      {
+        const IndexType other = cell.vertices[i];
+        if (other == hub)
+        {
+          continue;
+        }
+        if (other != DelaunayRefinementTriangulation::InfiniteVertex && m_VertexMarks[other] != m_NumberOfSearches)
+        {
+          m_VertexMarks[other] = m_NumberOfSearches;
+          if (DelaunayRefinementGeometry::SquaredDistance(center, this->GetPoint(other)) < squaredRadius)
+          {
+            hubs.push_back(other);
+            found.push_back(other);
+          }
+        }
+        const IndexType neighbor = cell.neighbors[i];
+        if (m_CellMarks[neighbor] != m_NumberOfStars)
+        {
+          m_CellMarks[neighbor] = m_NumberOfStars;
+          cells.push_back(neighbor);
+        }
+      }
+    }
+  }
+}
+
+void
+DelaunayRefinementComplex::AddVertex(VertexKind kind, double delta)
+{
+  m_Kinds.push_back(kind);
+  m_Deltas.push_back(delta);
+  ++m_NumbersOfVertices[static_cast<std::size_t>(kind)];
+}
+
+void
+DelaunayRefinementComplex::UpdateStates(const std::vector<IndexType> & cells)
+{
+  m_States.resize(m_Triangulation.GetNumberOfCellIndexes());
+  for (const IndexType cell : cells)
+  {
+    if (!m_Triangulation.IsInfinite(cell))
+    {
+      const auto      points = this->GetPoints(cell);
+      CellStateType & state = m_States[cell];
+      state.ball = DelaunayRefinementGeometry::ComputeCircumsphere(points[0], points[1], points[2], points[3]);
+      state.region = m_Oracle.Classify(state.ball.center);
+    }
+  }
+}
+} // end namespace itk

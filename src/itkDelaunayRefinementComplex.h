@@ -1,0 +1,180 @@
+/*=========================================================================
+ *
+ *  Copyright The DelaunayRefinement Contributors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkDelaunayRefinementComplex_h
+#define itkDelaunayRefinementComplex_h
+
+#include "itkDelaunayRefinementGeometry.h"
+#include "itkDelaunayRefinementOracle.h"
+#include "itkDelaunayRefinementTriangulation.h"
+
+namespace itk
+{
+/** \class DelaunayRefinementComplex
+ * \brief The triangulation in its bounding box, with what the rules need to know of vertices and cells.
+ *
+ * Every vertex has a kind and the delta that held where it was put; every finite cell has its circumball and the region
+ * of its circumcenter. All are kept in step with insertion and removal.
+ *
+ * \ingroup DelaunayRefinement
+ */
+class DelaunayRefinementComplex
+{
+public:
+  using PointType = DelaunayRefinementPoint;
+  using IndexType = DelaunayRefinementTriangulation::IndexType;
+  using VertexKind = DelaunayRefinementEnums::VertexKind;
+  using BoundsType = DelaunayRefinementOracle::BoundsType;
+  using RegionType = DelaunayRefinementOracle::RegionType;
+
+  static constexpr IndexType None = DelaunayRefinementTriangulation::None;
+
+  /** The circumball of a finite cell, and the region of its center. */
+  struct CellStateType
+  {
+    DelaunayRefinementGeometry::SphereType ball;
+    RegionType                             region;
+  };
+
+  /** Starts with the eight corners of the box and with feature vertices strictly inside it, \c deltas holding one for
+   * each. Callers round every point before they insert it. */
+  DelaunayRefinementComplex(const DelaunayRefinementOracle & oracle,
+                            bool                             roundToFloat,
+                            const BoundsType &               box,
+                            const std::vector<PointType> &   features,
+                            const std::vector<double> &      deltas);
+
+  /** To the type in which points are stored in the end. */
+  double
+  Round(double coordinate) const
+  {
+    return m_RoundToFloat ? static_cast<double>(static_cast<float>(coordinate)) : coordinate;
+  }
+
+  PointType
+  Round(const PointType & point) const
+  {
+    return { this->Round(point[0]), this->Round(point[1]), this->Round(point[2]) };
+  }
+
+  /** Inserts a vertex near \c hint; None if the point is a vertex already. GetNewCells() lists what changed. */
+  IndexType
+  Insert(const PointType & point, VertexKind kind, double delta, IndexType hint);
+
+  /** Removes a vertex that is no corner of the box. GetNewCells() lists what changed. */
+  void
+  Remove(IndexType vertex);
+
+  /** The vertices within \c radius of a vertex, itself left out, nearest links first. */
+  void
+  FindVerticesWithin(IndexType vertex, double radius, std::vector<IndexType> & found);
+
+  const std::vector<IndexType> &
+  GetNewCells() const
+  {
+    return m_Triangulation.GetNewCells();
+  }
+
+  const DelaunayRefinementTriangulation &
+  GetTriangulation() const
+  {
+    return m_Triangulation;
+  }
+
+  const BoundsType &
+  GetBox() const
+  {
+    return m_Box;
+  }
+
+  /** Of a finite cell. */
+  const CellStateType &
+  GetState(IndexType cell) const
+  {
+    return m_States[cell];
+  }
+
+  VertexKind
+  GetKind(IndexType vertex) const
+  {
+    return m_Kinds[vertex];
+  }
+
+  bool
+  IsFeature(IndexType vertex) const
+  {
+    return m_Kinds[vertex] == VertexKind::FEATURE;
+  }
+
+  double
+  GetDelta(IndexType vertex) const
+  {
+    return m_Deltas[vertex];
+  }
+
+  const PointType &
+  GetPoint(IndexType vertex) const
+  {
+    return m_Triangulation.GetPoint(vertex);
+  }
+
+  /** The points of a finite cell, in its order. */
+  std::array<PointType, 4>
+  GetPoints(IndexType cell) const
+  {
+    const auto & v = m_Triangulation.GetCell(cell).vertices;
+    return { this->GetPoint(v[0]), this->GetPoint(v[1]), this->GetPoint(v[2]), this->GetPoint(v[3]) };
+  }
+
+  /** Vertices there are now, by kind. */
+  std::size_t
+  GetNumberOfVertices(VertexKind kind) const
+  {
+    return m_NumbersOfVertices[static_cast<std::size_t>(kind)];
+  }
+
+  std::size_t
+  GetNumberOfVertices() const
+  {
+    return m_NumbersOfVertices[0] + m_NumbersOfVertices[1] + m_NumbersOfVertices[2] + m_NumbersOfVertices[3];
+  }
+
+private:
+  void
+  AddVertex(VertexKind kind, double delta);
+
+  void
+  UpdateStates(const std::vector<IndexType> & cells);
+
+  const DelaunayRefinementOracle & m_Oracle;
+  bool                             m_RoundToFloat;
+  BoundsType                       m_Box;
+  DelaunayRefinementTriangulation  m_Triangulation{};
+  std::vector<CellStateType>       m_States{};
+  std::vector<VertexKind>          m_Kinds{};
+  std::vector<double>              m_Deltas{};
+  std::array<std::size_t, 4>       m_NumbersOfVertices{};
+
+  // Of the search within a ball: the last search that saw a vertex, and the last star that held a cell.
+  std::vector<std::uint32_t> m_VertexMarks{};
+  std::vector<std::uint32_t> m_CellMarks{};
+  std::uint32_t              m_NumberOfSearches{ 0 };
+  std::uint32_t              m_NumberOfStars{ 0 };
+};
+} // end namespace itk
+
+#endif

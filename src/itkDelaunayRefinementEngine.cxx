@@ -1,0 +1,614 @@
+/*=========================================================================
+ *
+ *  Copyright The DelaunayRefinement Contributors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkDelaunayRefinementEngine.h"
+
+#include "itkDelaunayRefinementComplex.h"
+#include "itkDelaunayRefinementEncroachment.h"
+#include "itkDelaunayRefinementExtraction.h"
+#include "itkDelaunayRefinementLocalDelta.h"
+#include "itkDelaunayRefinementQueue.h"
+#include "itkDelaunayRefinementRules.h"
+#include "itkDelaunayRefinementSurfaceSample.h"
+
+#include <algorithm>
+#include <chrono>
+#include <random>
+
+namespace itk
+{
+namespace
+{
+using Geometry = DelaunayRefinementGeometry;
+using RefinementRule = DelaunayRefinementEnums::RefinementRule;
+using EncroachmentCase = DelaunayRefinementEnums::EncroachmentCase;
+using TerminationReason = DelaunayRefinementEnums::TerminationReason;
+using VertexKind = DelaunayRefinementEnums::VertexKind;
+
+/** Spacing of the first sample over delta; R3 fills the gaps where they are widest. */
+constexpr double SeedSpacing = 1.0;
+
+/** The box keeps a little more than the distance from the surface that the proof of Lemma 2 needs. */
+constexpr double BoxDistance = 2.8284271247461903 * 1.001;
+
+/** Insertions between two calls of the progress callback. */
+constexpr unsigned int ProgressInterval = 256;
+
+/** A component without a tetrahedron gets half its delta this often. */
+constexpr unsigned int MaximumNumberOfLowerings = 6;
+
+/** Tetrahedra with a smaller volume over their longest edge cubed get another vertex, moved by this share of delta. */
+constexpr double       FlattestShape = 1e-10;
+constexpr double       ShapeMove = 1e-3;
+constexpr unsigned int MaximumNumberOfShapeRounds = 20;
+} // namespace
+
+/** The loop over the rules, and all that it works on. */
+class DelaunayRefinementEngine::Impl
+{
+public:
+  Impl(const DelaunayRefinementOracle & oracle, const DelaunayRefinementParameters & parameters)
+    : m_Oracle(oracle)
+    , m_Parameters(parameters)
+    , m_LocalDelta(oracle, parameters)
+  {}
+
+  TerminationReason
+  Run()
+  {
+    m_Statistics.terminationReason = this->RunAllPhases();
+    return m_Statistics.terminationReason;
+  }
+
+  DelaunayRefinementResult
+  TakeResult()
+  {
+    return std::move(m_Result);
+  }
+
+  const DelaunayRefinementStatistics &
+  GetStatistics() const
+  {
+    return m_Statistics;
+  }
+
+private:
+  using PointType = DelaunayRefinementPoint;
+  using IndexType = DelaunayRefinementComplex::IndexType;
+  using Clock = std::chrono::steady_clock;
+
+  TerminationReason
+  RunAllPhases();
+
+  void
+  StartComplex(const std::vector<PointType> & seeds);
+
+  DelaunayRefinementOracle::BoundsType
+  ComputeBox() const;
+
+  /** Applies rules until none is left that fires, or the run is stopped. */
+  void
+  Refine();
+
+  /** Queues whatever may fire for new cells. */
+  void
+  Examine(const std::vector<IndexType> & cells);
+
+  bool
+  ApplyR3();
+  bool
+  ApplyR1();
+  bool
+  ApplyR2();
+  bool
+  ApplyR4();
+
+  /** Inserts a vertex; a feature vertex also removes the free vertices within 2 delta (section III). */
+  void
+  Insert(RefinementRule rule, const PointType & point, VertexKind kind, double delta, IndexType hint);
+
+  void
+  InsertFeature(RefinementRule rule, const PointType & point, IndexType hint);
+
+  void
+  InsertCircumcenter(RefinementRule rule, IndexType cell);
+
+  void
+  Encroach(const DelaunayRefinementEncroachment::ProposalType & proposal, IndexType cell);
+
+  /** Replaces a vertex of tetrahedra that are too flat to be stored; false if there were none. */
+  bool
+  MendFlatTetrahedra();
+
+  void
+  MoveVertex(IndexType vertex);
+
+  /** Lowers delta for components in which no tetrahedron has its circumcenter; false if there were none. */
+  bool
+  LowerDeltaOfMissingComponents();
+
+  std::vector<std::uint32_t>
+  FindMissingComponents() const;
+
+  /** Tells the caller; remembers a wish to stop. */
+  void
+  ReportProgress();
+
+  static double
+  SecondsSince(Clock::time_point start)
+  {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+  }
+
+  const DelaunayRefinementOracle &                 m_Oracle;
+  DelaunayRefinementParameters                     m_Parameters;
+  DelaunayRefinementLocalDelta                     m_LocalDelta;
+  DelaunayRefinementStatistics                     m_Statistics{};
+  DelaunayRefinementResult                         m_Result{};
+  std::unique_ptr<DelaunayRefinementSurfaceSample> m_Sample{};
+  std::unique_ptr<DelaunayRefinementComplex>       m_Complex{};
+  std::unique_ptr<DelaunayRefinementRules>         m_Rules{};
+  std::unique_ptr<DelaunayRefinementEncroachment>  m_Encroachment{};
+  DelaunayRefinementQueue                          m_R2Queue{};
+  DelaunayRefinementQueue                          m_R3Queue{};
+  DelaunayRefinementQueue                          m_R4Queue{};
+  std::vector<PointType>                           m_R1Points{};
+  std::vector<IndexType>                           m_Found{};
+  std::mt19937_64                                  m_Random{};
+  bool                                             m_IsSampleOpen{ true };
+  TerminationReason                                m_Reason{ TerminationReason::COMPLETED };
+  unsigned int                                     m_NumberOfLowerings{ 0 };
+  unsigned int                                     m_NumberOfShapeRounds{ 0 };
+  std::size_t                                      m_NumberOfSteps{ 0 };
+  double                                           m_Progress{ 0.0 };
+};
+
+TerminationReason
+DelaunayRefinementEngine::Impl::RunAllPhases()
+{
+  auto start = Clock::now();
+  this->ReportProgress();
+  m_Sample = std::make_unique<DelaunayRefinementSurfaceSample>(m_Oracle, m_LocalDelta, m_Parameters.roundToFloat);
+  std::vector<PointType> seeds;
+  m_Sample->Seed(SeedSpacing, seeds);
+  m_Statistics.samplingSeconds = SecondsSince(start);
+  if (seeds.empty())
+  {
+    return TerminationReason::NO_SURFACE_FOUND;
+  }
+  if (seeds.size() + 8 > m_Parameters.maximumNumberOfVertices)
+  {
+    return TerminationReason::VERTEX_LIMIT;
+  }
+  this->ReportProgress();
+  if (m_Reason != TerminationReason::COMPLETED)
+  {
+    return m_Reason;
+  }
+
+  start = Clock::now();
+  this->StartComplex(seeds);
+  m_Statistics.insertionSeconds = SecondsSince(start);
+
+  start = Clock::now();
+  this->Refine();
+  m_Statistics.refinementSeconds = SecondsSince(start);
+  for (std::size_t kind = 0; kind < m_Statistics.vertices.size(); ++kind)
+  {
+    m_Statistics.vertices[kind] = m_Complex->GetNumberOfVertices(static_cast<VertexKind>(kind));
+  }
+  m_Statistics.loweredDeltas = m_LocalDelta.GetLowered();
+  if (m_Reason != TerminationReason::COMPLETED)
+  {
+    return m_Reason;
+  }
+
+  start = Clock::now();
+  m_Statistics.missingComponents = this->FindMissingComponents();
+  m_Result = ExtractDelaunayRefinementResult(*m_Complex);
+  m_Statistics.extractionSeconds = SecondsSince(start);
+  return TerminationReason::COMPLETED;
+}
+
+DelaunayRefinementOracle::BoundsType
+DelaunayRefinementEngine::Impl::ComputeBox() const
+{
+  // Rounding outwards to floats makes the corners fit either kind of coordinates.
+  const double margin = BoxDistance * m_LocalDelta.GetMaximum();
+  auto         box = m_Oracle.GetSurfaceBounds();
+  for (int i = 0; i < 3; ++i)
+  {
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    box.minimum[i] = std::nextafter(static_cast<float>(box.minimum[i] - margin), -infinity);
+    box.maximum[i] = std::nextafter(static_cast<float>(box.maximum[i] + margin), infinity);
+  }
+  return box;
+}
+
+void
+DelaunayRefinementEngine::Impl::StartComplex(const std::vector<PointType> & seeds)
+{
+  std::vector<double> deltas;
+  deltas.reserve(seeds.size());
+  for (const PointType & seed : seeds)
+  {
+    deltas.push_back(m_LocalDelta.GetAt(seed));
+  }
+  m_Complex = std::make_unique<DelaunayRefinementComplex>(
+    m_Oracle, m_Parameters.roundToFloat, this->ComputeBox(), seeds, deltas);
+  m_Rules = std::make_unique<DelaunayRefinementRules>(m_Oracle, m_Parameters, *m_Complex, m_LocalDelta);
+  m_Encroachment = std::make_unique<DelaunayRefinementEncroachment>(*m_Complex);
+  m_Statistics.insertions[static_cast<std::size_t>(RefinementRule::R1)] = seeds.size();
+  this->Examine(m_Complex->GetNewCells());
+}
+
+void
+DelaunayRefinementEngine::Impl::Refine()
+{
+  // Any order of the rules keeps the proofs. Rules that insert feature vertices go first, as those remove free vertices.
+  while (m_Reason == TerminationReason::COMPLETED)
+  {
+    if (++m_NumberOfSteps % ProgressInterval == 0)
+    {
+      this->ReportProgress();
+    }
+    if (!(this->ApplyR3() || this->ApplyR1() || this->ApplyR2() || this->ApplyR4() || this->MendFlatTetrahedra() ||
+          this->LowerDeltaOfMissingComponents()))
+    {
+      return;
+    }
+  }
+}
+
+void
+DelaunayRefinementEngine::Impl::Examine(const std::vector<IndexType> & cells)
+{
+  const auto & triangulation = m_Complex->GetTriangulation();
+  for (const IndexType cell : cells)
+  {
+    if (triangulation.IsInfinite(cell))
+    {
+      continue;
+    }
+    if (m_Rules->MayFireR2(cell))
+    {
+      m_R2Queue.Push(triangulation, cell);
+    }
+    if (m_Rules->FiresR4(cell) || m_Rules->FiresCellSize(cell) || m_Rules->FiresR4Prime(cell))
+    {
+      m_R4Queue.Push(triangulation, cell);
+    }
+    for (unsigned int i = 0; i < 4; ++i)
+    {
+      // A facet between two new cells may be tested twice: the second time finds what the first left to do.
+      if (m_Rules->MayFireR3(cell, i))
+      {
+        m_R3Queue.Push(triangulation, cell, i);
+      }
+    }
+  }
+}
+
+bool
+DelaunayRefinementEngine::Impl::ApplyR3()
+{
+  DelaunayRefinementQueue::EntryType entry;
+  if (!m_R3Queue.Pop(m_Complex->GetTriangulation(), entry))
+  {
+    return false;
+  }
+  PointType center;
+  if (m_Rules->MayFireR3(entry.cell, entry.facet) && m_Rules->FiresR3(entry.cell, entry.facet, center))
+  {
+    this->InsertFeature(RefinementRule::R3, center, entry.cell);
+  }
+  return true;
+}
+
+bool
+DelaunayRefinementEngine::Impl::ApplyR1()
+{
+  if (m_IsSampleOpen)
+  {
+    m_Sample->Certify(m_R1Points);
+    std::reverse(m_R1Points.begin(), m_R1Points.end());
+    m_IsSampleOpen = false;
+  }
+  if (m_R1Points.empty())
+  {
+    return false;
+  }
+  const PointType point = m_R1Points.back();
+  m_R1Points.pop_back();
+  this->InsertFeature(RefinementRule::R1, point, m_Complex->GetTriangulation().GetCellOfVertex(1));
+  return true;
+}
+
+bool
+DelaunayRefinementEngine::Impl::ApplyR2()
+{
+  DelaunayRefinementQueue::EntryType entry;
+  if (!m_R2Queue.Pop(m_Complex->GetTriangulation(), entry))
+  {
+    return false;
+  }
+  if (m_Rules->FiresR2(entry.cell))
+  {
+    const auto proposal = m_Encroachment->FindEncroachment(m_Complex->GetState(entry.cell).ball.center);
+    if (proposal.which == EncroachmentCase::NONE)
+    {
+      this->InsertCircumcenter(RefinementRule::R2, entry.cell);
+    }
+    else
+    {
+      this->Encroach(proposal, entry.cell);
+    }
+  }
+  return true;
+}
+
+bool
+DelaunayRefinementEngine::Impl::ApplyR4()
+{
+  DelaunayRefinementQueue::EntryType entry;
+  if (!m_R4Queue.Pop(m_Complex->GetTriangulation(), entry))
+  {
+    return false;
+  }
+  if (m_Rules->FiresR4(entry.cell))
+  {
+    this->InsertCircumcenter(RefinementRule::R4, entry.cell);
+  }
+  else if (m_Rules->FiresCellSize(entry.cell))
+  {
+    this->InsertCircumcenter(RefinementRule::CELL_SIZE, entry.cell);
+  }
+  else
+  {
+    this->InsertCircumcenter(RefinementRule::R4_PRIME, entry.cell);
+  }
+  return true;
+}
+
+void
+DelaunayRefinementEngine::Impl::InsertCircumcenter(RefinementRule rule, IndexType cell)
+{
+  this->Insert(rule, m_Complex->Round(m_Complex->GetState(cell).ball.center), VertexKind::FREE, 0.0, cell);
+}
+
+void
+DelaunayRefinementEngine::Impl::InsertFeature(RefinementRule rule, const PointType & point, IndexType hint)
+{
+  const PointType rounded = m_Complex->Round(point);
+  if (rule != RefinementRule::R1)
+  {
+    m_Sample->Add(rounded);
+  }
+  this->Insert(rule, rounded, VertexKind::FEATURE, m_LocalDelta.GetAt(point), hint);
+}
+
+void
+DelaunayRefinementEngine::Impl::Insert(RefinementRule    rule,
+                                       const PointType & point,
+                                       VertexKind        kind,
+                                       double            delta,
+                                       IndexType         hint)
+{
+  if (m_Complex->GetNumberOfVertices() >= m_Parameters.maximumNumberOfVertices)
+  {
+    m_Reason = TerminationReason::VERTEX_LIMIT;
+    return;
+  }
+  const IndexType vertex = m_Complex->Insert(point, kind, delta, hint);
+  if (vertex == DelaunayRefinementComplex::None)
+  {
+    return;
+  }
+  ++m_Statistics.insertions[static_cast<std::size_t>(rule)];
+  this->Examine(m_Complex->GetNewCells());
+  if (kind == VertexKind::FEATURE && m_Complex->GetNumberOfVertices(VertexKind::FREE) > 0)
+  {
+    m_Complex->FindVerticesWithin(vertex, 2.0 * delta, m_Found);
+    for (const IndexType found : m_Found)
+    {
+      if (m_Complex->GetKind(found) == VertexKind::FREE)
+      {
+        m_Complex->Remove(found);
+        ++m_Statistics.removals;
+        this->Examine(m_Complex->GetNewCells());
+      }
+    }
+  }
+}
+
+void
+DelaunayRefinementEngine::Impl::Encroach(const DelaunayRefinementEncroachment::ProposalType & proposal, IndexType cell)
+{
+  const VertexKind kind = proposal.which == EncroachmentCase::E2 ? VertexKind::BOX : VertexKind::BOX_EDGE;
+  const std::size_t before = m_Complex->GetNumberOfVertices();
+  this->Insert(RefinementRule::R2, proposal.point, kind, 0.0, cell);
+  if (m_Complex->GetNumberOfVertices() == before)
+  {
+    return;
+  }
+  ++m_Statistics.encroachments[static_cast<std::size_t>(proposal.which)];
+  // Emptying the ball after the insertion leads to the same triangulation as before it.
+  m_Complex->FindVerticesWithin(
+    m_Complex->GetTriangulation().GetNumberOfVertexIndexes() - 1, proposal.radius, m_Found);
+  for (const IndexType found : m_Found)
+  {
+    const VertexKind other = m_Complex->GetKind(found);
+    if (other == VertexKind::FREE || (other == VertexKind::BOX && kind == VertexKind::BOX_EDGE))
+    {
+      m_Complex->Remove(found);
+      ++m_Statistics.encroachmentRemovals;
+      this->Examine(m_Complex->GetNewCells());
+    }
+  }
+}
+
+bool
+DelaunayRefinementEngine::Impl::MendFlatTetrahedra()
+{
+  if (m_NumberOfShapeRounds == MaximumNumberOfShapeRounds)
+  {
+    return false;
+  }
+  const auto &           triangulation = m_Complex->GetTriangulation();
+  std::vector<IndexType> vertices;
+  for (IndexType cell = 0; cell < triangulation.GetNumberOfCellIndexes(); ++cell)
+  {
+    if (!triangulation.IsAlive(cell) || triangulation.IsInfinite(cell) || m_Complex->GetState(cell).region == 0)
+    {
+      continue;
+    }
+    const auto   p = m_Complex->GetPoints(cell);
+    const double squaredLongest = Geometry::ComputeSquaredLongestEdge(p[0], p[1], p[2], p[3]);
+    if (Geometry::Determinant(p[0], p[1], p[2], p[3]) <
+        6.0 * FlattestShape * squaredLongest * std::sqrt(squaredLongest))
+    {
+      const auto & v = triangulation.GetCell(cell).vertices;
+      const auto   isFree = [&](IndexType vertex) { return m_Complex->GetKind(vertex) == VertexKind::FREE; };
+      const auto   free = std::find_if(v.begin(), v.end(), isFree);
+      vertices.push_back(free != v.end() ? *free : *std::max_element(v.begin(), v.end()));
+    }
+  }
+  if (vertices.empty())
+  {
+    return false;
+  }
+  ++m_NumberOfShapeRounds;
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  for (const IndexType vertex : vertices)
+  {
+    this->MoveVertex(vertex);
+  }
+  return true;
+}
+
+void
+DelaunayRefinementEngine::Impl::MoveVertex(IndexType vertex)
+{
+  const VertexKind kind = m_Complex->GetKind(vertex);
+  const double     delta = kind == VertexKind::FEATURE ? m_Complex->GetDelta(vertex) : m_LocalDelta.GetMinimum();
+  PointType        moved = m_Complex->GetPoint(vertex);
+  for (double & coordinate : moved)
+  {
+    coordinate += ShapeMove * delta * (2.0 * static_cast<double>(m_Random() >> 11) / 9007199254740992.0 - 1.0);
+  }
+  if (kind == VertexKind::FEATURE)
+  {
+    PointType closest;
+    if (!m_Oracle.FindClosestSurfacePoint(moved, delta, closest))
+    {
+      return;
+    }
+    moved = closest;
+  }
+  m_Complex->Remove(vertex);
+  this->Examine(m_Complex->GetNewCells());
+  this->Insert(RefinementRule::SHAPE, m_Complex->Round(moved), kind, delta, m_Complex->GetNewCells().front());
+}
+
+bool
+DelaunayRefinementEngine::Impl::LowerDeltaOfMissingComponents()
+{
+  if (m_NumberOfLowerings == MaximumNumberOfLowerings)
+  {
+    return false;
+  }
+  const std::vector<std::uint32_t> missing = this->FindMissingComponents();
+  if (missing.empty())
+  {
+    return false;
+  }
+  ++m_NumberOfLowerings;
+  for (const std::uint32_t component : missing)
+  {
+    m_LocalDelta.Lower(component, 0.5 * m_LocalDelta.GetOfComponent(component));
+  }
+  m_Sample->Reopen();
+  m_IsSampleOpen = true;
+  return true;
+}
+
+std::vector<std::uint32_t>
+DelaunayRefinementEngine::Impl::FindMissingComponents() const
+{
+  const auto &      triangulation = m_Complex->GetTriangulation();
+  std::vector<bool> isMeshed(m_Oracle.GetNumberOfComponents(), false);
+  for (IndexType cell = 0; cell < triangulation.GetNumberOfCellIndexes(); ++cell)
+  {
+    if (triangulation.IsAlive(cell) && !triangulation.IsInfinite(cell) && m_Complex->GetState(cell).region != 0)
+    {
+      isMeshed[isMeshed.size() == 1 ? 0 : m_Oracle.FindComponent(m_Complex->GetState(cell).ball.center)] = true;
+    }
+  }
+  std::vector<std::uint32_t> missing;
+  for (std::uint32_t component = 0; component < isMeshed.size(); ++component)
+  {
+    if (!isMeshed[component])
+    {
+      missing.push_back(component);
+    }
+  }
+  return missing;
+}
+
+void
+DelaunayRefinementEngine::Impl::ReportProgress()
+{
+  if (!m_Parameters.progress)
+  {
+    return;
+  }
+  const double done = static_cast<double>(m_NumberOfSteps);
+  const double queued =
+    static_cast<double>(m_R2Queue.GetLength() + m_R3Queue.GetLength() + m_R4Queue.GetLength() + m_R1Points.size());
+  m_Progress = std::max(m_Progress, done / (done + queued + 1.0));
+  if (!m_Parameters.progress(m_Progress))
+  {
+    m_Reason = TerminationReason::STOPPED_BY_CALLER;
+  }
+}
+
+DelaunayRefinementEngine::DelaunayRefinementEngine(const DelaunayRefinementOracle &     oracle,
+                                                   const DelaunayRefinementParameters & parameters)
+  : m_Impl(std::make_unique<Impl>(oracle, parameters))
+{}
+
+DelaunayRefinementEngine::~DelaunayRefinementEngine() = default;
+
+DelaunayRefinementEnums::TerminationReason
+DelaunayRefinementEngine::Run()
+{
+  return m_Impl->Run();
+}
+
+DelaunayRefinementResult
+DelaunayRefinementEngine::TakeResult()
+{
+  return m_Impl->TakeResult();
+}
+
+const DelaunayRefinementStatistics &
+DelaunayRefinementEngine::GetStatistics() const
+{
+  return m_Impl->GetStatistics();
+}
+} // end namespace itk

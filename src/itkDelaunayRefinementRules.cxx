@@ -1,0 +1,220 @@
+/*=========================================================================
+ *
+ *  Copyright The DelaunayRefinement Contributors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkDelaunayRefinementRules.h"
+
+#include <algorithm>
+
+namespace itk
+{
+namespace
+{
+using Geometry = DelaunayRefinementGeometry;
+
+/** Squared bounds are lowered by this factor, so that another formula for the same quantity agrees. */
+constexpr double SquaredMargin = 1.0 - 2e-9;
+
+/** No rule without a proof of its own makes edges shorter than this share of delta. */
+constexpr double ShortestShare = 0.25;
+
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+constexpr double DegreesToRadians = 0.017453292519943295;
+} // namespace
+
+DelaunayRefinementRules::DelaunayRefinementRules(const DelaunayRefinementOracle &     oracle,
+                                                 const DelaunayRefinementParameters & parameters,
+                                                 const DelaunayRefinementComplex &    complex,
+                                                 const DelaunayRefinementLocalDelta & localDelta)
+  : m_Oracle(oracle)
+  , m_Parameters(parameters)
+  , m_Complex(complex)
+  , m_LocalDelta(localDelta)
+  , m_LargestDihedralCosine(std::cos(parameters.minimumDihedralAngle * DegreesToRadians))
+{}
+
+double
+DelaunayRefinementRules::GetDeltaOfFeatures(const std::array<IndexType, 4> & vertices, unsigned int leftOut) const
+{
+  double delta = Infinity;
+  for (unsigned int i = 0; i < 4; ++i)
+  {
+    if (i != leftOut && m_Complex.IsFeature(vertices[i]))
+    {
+      delta = std::min(delta, m_Complex.GetDelta(vertices[i]));
+    }
+  }
+  return delta;
+}
+
+bool
+DelaunayRefinementRules::MayFireR2(IndexType cell) const
+{
+  const double delta = m_LocalDelta.GetMinimum();
+  return m_Complex.GetState(cell).ball.squaredRadius >= 4.0 * delta * delta * SquaredMargin;
+}
+
+bool
+DelaunayRefinementRules::FiresR2(IndexType cell) const
+{
+  const auto & ball = m_Complex.GetState(cell).ball;
+  double       delta = this->GetDeltaOfFeatures(m_Complex.GetTriangulation().GetCell(cell).vertices, 4);
+  if (delta == Infinity)
+  {
+    PointType    closest;
+    const double radius = std::sqrt(ball.squaredRadius);
+    if (!m_Oracle.FindClosestSurfacePoint(ball.center, radius, closest))
+    {
+      return false;
+    }
+    delta = m_LocalDelta.GetAt(closest);
+  }
+  return ball.squaredRadius >= 4.0 * delta * delta * SquaredMargin;
+}
+
+double
+DelaunayRefinementRules::ComputeR3Threshold(IndexType cell, unsigned int i) const
+{
+  const auto & vertices = m_Complex.GetTriangulation().GetCell(cell).vertices;
+  const double delta = std::min(this->GetDeltaOfFeatures(vertices, i), m_LocalDelta.GetMaximum());
+  const auto   a = vertices[(i + 1) & 3];
+  const auto   b = vertices[(i + 2) & 3];
+  const auto   c = vertices[(i + 3) & 3];
+  if (m_Parameters.radiusEdgeRatioBound >= 2.0 &&
+      !(m_Complex.IsFeature(a) && m_Complex.IsFeature(b) && m_Complex.IsFeature(c)))
+  {
+    return ShortestShare * std::min(delta, m_Parameters.cellSize);
+  }
+  const double squaredEdge = std::min({ Geometry::SquaredDistance(m_Complex.GetPoint(a), m_Complex.GetPoint(b)),
+                                        Geometry::SquaredDistance(m_Complex.GetPoint(b), m_Complex.GetPoint(c)),
+                                        Geometry::SquaredDistance(m_Complex.GetPoint(c), m_Complex.GetPoint(a)) });
+  return std::sqrt(std::min(delta * delta, squaredEdge) * SquaredMargin);
+}
+
+bool
+DelaunayRefinementRules::MayFireR3(IndexType cell, unsigned int i) const
+{
+  const auto &    triangulation = m_Complex.GetTriangulation();
+  const IndexType neighbor = triangulation.GetCell(cell).neighbors[i];
+  if (triangulation.IsInfinite(cell) || triangulation.IsInfinite(neighbor))
+  {
+    return false;
+  }
+  const auto & one = m_Complex.GetState(cell);
+  const auto & other = m_Complex.GetState(neighbor);
+  const double threshold = this->ComputeR3Threshold(cell, i);
+  if (std::max(one.ball.squaredRadius, other.ball.squaredRadius) < threshold * threshold)
+  {
+    return false;
+  }
+  if (one.region != other.region)
+  {
+    return true;
+  }
+  DelaunayRefinementOracle::BoundsType bounds;
+  for (int k = 0; k < 3; ++k)
+  {
+    bounds.minimum[k] = std::min(one.ball.center[k], other.ball.center[k]);
+    bounds.maximum[k] = std::max(one.ball.center[k], other.ball.center[k]);
+  }
+  return m_Oracle.MayIntersectBox(bounds);
+}
+
+bool
+DelaunayRefinementRules::FiresR3(IndexType cell, unsigned int i, PointType & center) const
+{
+  const auto &    triangulation = m_Complex.GetTriangulation();
+  const IndexType neighbor = triangulation.GetCell(cell).neighbors[i];
+  const PointType from = m_Complex.GetState(cell).ball.center;
+  const PointType to = m_Complex.GetState(neighbor).ball.center;
+  const PointType vertex = m_Complex.GetPoint(triangulation.GetCell(cell).vertices[(i + 1) & 3]);
+  const double    threshold = this->ComputeR3Threshold(cell, i);
+
+  // Along the dual edge the squared distance to the facet's vertices is a parabola: s^2 |d|^2 + 2 s (d . w) + |w|^2.
+  const PointType direction = Geometry::Subtract(to, from);
+  const PointType w = Geometry::Subtract(from, vertex);
+  const double    squaredLength = Geometry::Dot(direction, direction);
+  if (!(squaredLength > 0.0))
+  {
+    return false;
+  }
+  const double lowest = -Geometry::Dot(direction, w) / squaredLength;
+  const double squaredAtLowest = Geometry::Dot(w, w) - lowest * lowest * squaredLength;
+  const double room = threshold * threshold - squaredAtLowest;
+  const double half = room > 0.0 ? std::sqrt(room / squaredLength) : 0.0;
+
+  // Only the parts of the dual edge with radii of at least the threshold matter, from both ends inwards.
+  const double ends[2] = { std::clamp(lowest - half, 0.0, 1.0), std::clamp(lowest + half, 0.0, 1.0) };
+  double       largest = threshold * threshold;
+  bool         fires = false;
+  for (int side = 0; side < 2; ++side)
+  {
+    const PointType & outer = side == 0 ? from : to;
+    const PointType   inner = Geometry::AddScaled(from, ends[side], direction);
+    PointType         crossing;
+    if (outer != inner && m_Oracle.FindFirstCrossing(outer, inner, crossing))
+    {
+      const double squared = Geometry::SquaredDistance(crossing, vertex);
+      if (squared >= largest)
+      {
+        largest = squared;
+        center = crossing;
+        fires = true;
+      }
+    }
+  }
+  return fires;
+}
+
+bool
+DelaunayRefinementRules::FiresR4(IndexType cell) const
+{
+  const auto & state = m_Complex.GetState(cell);
+  if (state.region == 0)
+  {
+    return false;
+  }
+  const auto   p = m_Complex.GetPoints(cell);
+  const double squaredEdge = Geometry::ComputeSquaredShortestEdge(p[0], p[1], p[2], p[3]);
+  const double rhoBar = m_Parameters.radiusEdgeRatioBound;
+  return state.ball.squaredRadius >= rhoBar * rhoBar * squaredEdge * SquaredMargin;
+}
+
+bool
+DelaunayRefinementRules::FiresCellSize(IndexType cell) const
+{
+  const auto & state = m_Complex.GetState(cell);
+  return state.region != 0 && state.ball.squaredRadius > m_Parameters.cellSize * m_Parameters.cellSize;
+}
+
+bool
+DelaunayRefinementRules::FiresR4Prime(IndexType cell) const
+{
+  const auto & state = m_Complex.GetState(cell);
+  if (!(m_Parameters.minimumDihedralAngle > 0.0) || state.region == 0)
+  {
+    return false;
+  }
+  const double features = this->GetDeltaOfFeatures(m_Complex.GetTriangulation().GetCell(cell).vertices, 4);
+  const double shortest = ShortestShare * std::min(features, m_LocalDelta.GetMaximum());
+  if (state.ball.squaredRadius < shortest * shortest)
+  {
+    return false;
+  }
+  const auto p = m_Complex.GetPoints(cell);
+  return Geometry::ComputeLargestDihedralCosine(p[0], p[1], p[2], p[3]) > m_LargestDihedralCosine;
+}
+} // end namespace itk

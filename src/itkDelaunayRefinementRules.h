@@ -1,0 +1,100 @@
+/*=========================================================================
+ *
+ *  Copyright The DelaunayRefinement Contributors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkDelaunayRefinementRules_h
+#define itkDelaunayRefinementRules_h
+
+#include "itkDelaunayRefinementComplex.h"
+#include "itkDelaunayRefinementLocalDelta.h"
+
+namespace itk
+{
+/** \class DelaunayRefinementRules
+ * \brief Rules R2, R3, R4 and R4' of the paper: does a rule fire for a cell, and which point does it propose?
+ *
+ * Notation of the paper in these files: delta, rhoBar (bound on the radius-edge ratio), c and r (center and radius of a
+ * circumball), t (tetrahedron), f (facet), q (center of a surface ball). Rule R1 is asked of the surface as a whole, by
+ * DelaunayRefinementSurfaceSample. Bounds are tested with a relative margin of 1e-9.
+ *
+ * \ingroup DelaunayRefinement
+ */
+class DelaunayRefinementRules
+{
+public:
+  using PointType = DelaunayRefinementPoint;
+  using IndexType = DelaunayRefinementComplex::IndexType;
+
+  DelaunayRefinementRules(const DelaunayRefinementOracle &     oracle,
+                          const DelaunayRefinementParameters & parameters,
+                          const DelaunayRefinementComplex &    complex,
+                          const DelaunayRefinementLocalDelta & localDelta);
+
+  /** Cheap: false only if R2 does not fire. */
+  bool
+  MayFireR2(IndexType cell) const;
+
+  /** R2 (section III): an intersecting tetrahedron with r >= 2 delta; proposes c(t). New edges are at least 2 delta
+   * long, so it ends. Delta is that of the nearest surface known: of t's feature vertices, else of the surface point
+   * closest to c(t). */
+  bool
+  FiresR2(IndexType cell) const;
+
+  /** Cheap: false only if R3 does not fire for the facet opposite to vertex \c i. */
+  bool
+  MayFireR3(IndexType cell, unsigned int i) const;
+
+  /** R3 (section III): a restricted facet with a surface ball of radius >= delta, or not smaller than the facet's
+   * shortest edge; proposes q. The second condition keeps planar angles above 30 degrees where delta varies, and new
+   * edges no shorter than old ones. For rhoBar >= 2 it also fires for restricted facets with a vertex off the surface,
+   * which Lemma 5 excludes for a constant delta; new edges are at least half of the edges at that vertex then, and no
+   * shorter than a quarter of delta. Facets of the hull need no test: a surface ball there is empty of feature vertices
+   * within 2 sqrt 2 delta, which R1 excludes. */
+  bool
+  FiresR3(IndexType cell, unsigned int i, PointType & center) const;
+
+  /** R4 (section III): r / shortest edge >= rhoBar and c(t) inside; proposes c(t). Applied to intersecting tetrahedra,
+   * too. */
+  bool
+  FiresR4(IndexType cell) const;
+
+  /** The user's bound on circumradii inside; proposes c(t). New edges are no shorter than the bound. */
+  bool
+  FiresCellSize(IndexType cell) const;
+
+  /** R4' (section VI-B): a dihedral angle below the user's bound and c(t) inside; proposes c(t). The paper has no proof
+   * that it ends; here it fires only while new edges are at least a quarter of delta long. */
+  bool
+  FiresR4Prime(IndexType cell) const;
+
+private:
+  /** The smallest delta of the feature vertices among some vertices of a cell; infinity if there is none. */
+  double
+  GetDeltaOfFeatures(const std::array<IndexType, 4> & vertices, unsigned int leftOut) const;
+
+  /** Surface balls of a facet with at least this radius make R3 fire. */
+  double
+  ComputeR3Threshold(IndexType cell, unsigned int i) const;
+
+  const DelaunayRefinementOracle &     m_Oracle;
+  const DelaunayRefinementParameters & m_Parameters;
+  const DelaunayRefinementComplex &    m_Complex;
+  const DelaunayRefinementLocalDelta & m_LocalDelta;
+  double                               m_LargestDihedralCosine;
+};
+} // end namespace itk
+
+#endif

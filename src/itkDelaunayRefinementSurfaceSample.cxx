@@ -1,0 +1,149 @@
+/*=========================================================================
+ *
+ *  Copyright The DelaunayRefinement Contributors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkDelaunayRefinementSurfaceSample.h"
+
+#include <algorithm>
+#include <iterator>
+#include <random>
+
+namespace itk
+{
+namespace
+{
+/** R1 inserts points at this share of delta from others, so that what is left over is certainly within delta. */
+constexpr double Separation = 0.999;
+
+/** Patches smaller than this share of delta are judged by their point alone. */
+constexpr double SmallestPatch = 1e-5;
+
+/** Patches are split for seeds until they are this share of delta. */
+constexpr double SeedPatch = 0.7;
+} // namespace
+
+DelaunayRefinementSurfaceSample::DelaunayRefinementSurfaceSample(const DelaunayRefinementOracle &     oracle,
+                                                                 const DelaunayRefinementLocalDelta & localDelta,
+                                                                 bool                                 roundToFloat)
+  : m_Oracle(oracle)
+  , m_LocalDelta(localDelta)
+  , m_RoundToFloat(roundToFloat)
+  , m_Grid(localDelta.GetMaximum())
+  , m_Open(oracle.GetSurfacePatches())
+{}
+
+void
+DelaunayRefinementSurfaceSample::Shuffle(std::vector<PatchType> & patches)
+{
+  // Written out, as the standard leaves the outcome of std::shuffle open.
+  std::mt19937_64 random(patches.size());
+  for (std::size_t i = patches.size(); i > 1; --i)
+  {
+    std::swap(patches[i - 1], patches[random() % i]);
+  }
+}
+
+DelaunayRefinementSurfaceSample::PatchState
+DelaunayRefinementSurfaceSample::Visit(const PatchType & patch, double spacing, std::vector<PointType> & points)
+{
+  double least = m_LocalDelta.GetMaximum();
+  double own = least;
+  if (!m_LocalDelta.IsUniform())
+  {
+    own = m_LocalDelta.GetAt(patch.point);
+    least = patch.radius < SeedPatch * m_LocalDelta.GetMinimum()
+              ? own
+              : m_LocalDelta.GetMinimumWithin(patch.point, patch.radius);
+  }
+  const double reach = least - patch.radius;
+  const double apart = spacing * own;
+  const double squared = m_Grid.FindSquaredDistance(patch.point, std::max(reach, apart), reach);
+  if (reach > 0.0 && squared <= reach * reach)
+  {
+    return PatchState::COVERED;
+  }
+  if (squared >= apart * apart)
+  {
+    PointType point = patch.point;
+    if (m_RoundToFloat)
+    {
+      std::transform(
+        point.begin(), point.end(), point.begin(), [](double x) { return static_cast<double>(static_cast<float>(x)); });
+    }
+    m_Grid.Add(point);
+    points.push_back(point);
+    return reach > 0.0 ? PatchState::COVERED : PatchState::OPEN;
+  }
+  return patch.radius < SmallestPatch * own ? PatchState::COVERED : PatchState::OPEN;
+}
+
+void
+DelaunayRefinementSurfaceSample::Seed(double spacing, std::vector<PointType> & points)
+{
+  spacing = std::max(spacing, Separation);
+  std::vector<PatchType> current;
+  std::vector<PatchType> parts;
+  current.swap(m_Open);
+  while (!current.empty())
+  {
+    this->Shuffle(current);
+    parts.clear();
+    for (const PatchType & patch : current)
+    {
+      if (this->Visit(patch, spacing, points) == PatchState::OPEN)
+      {
+        if (patch.radius > SeedPatch * m_LocalDelta.GetMinimumWithin(patch.point, patch.radius))
+        {
+          m_Oracle.SplitSurfacePatch(patch, parts);
+        }
+        else
+        {
+          m_Open.push_back(patch);
+        }
+      }
+    }
+    current.swap(parts);
+  }
+}
+
+void
+DelaunayRefinementSurfaceSample::Add(const PointType & point)
+{
+  m_Grid.Add(point);
+}
+
+void
+DelaunayRefinementSurfaceSample::Certify(std::vector<PointType> & points)
+{
+  // The last patch first: a stack.
+  std::reverse(m_Open.begin(), m_Open.end());
+  while (!m_Open.empty())
+  {
+    const PatchType patch = m_Open.back();
+    m_Open.pop_back();
+    if (this->Visit(patch, Separation, points) == PatchState::OPEN)
+    {
+      m_Oracle.SplitSurfacePatch(patch, m_Open);
+    }
+  }
+}
+
+void
+DelaunayRefinementSurfaceSample::Reopen()
+{
+  m_Open = m_Oracle.GetSurfacePatches();
+}
+} // end namespace itk

@@ -1,0 +1,88 @@
+/*=========================================================================
+ *
+ *  Copyright The DelaunayRefinement Contributors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkDelaunayRefinementSurfaceSample_h
+#define itkDelaunayRefinementSurfaceSample_h
+
+#include "itkDelaunayRefinementLocalDelta.h"
+#include "itkDelaunayRefinementPointGrid.h"
+
+namespace itk
+{
+/** \class DelaunayRefinementSurfaceSample
+ * \brief Rule R1 of the paper (section III), asked of the whole surface: a surface point that is at least delta away
+ * from every feature vertex is inserted.
+ *
+ * The paper asks R1 of the surface points closest to circumcenters, which all lie on the surface; here every patch of
+ * the surface is certified to lie within delta of one feature vertex, or split, or given a vertex. So R1 in the paper's
+ * words can't fire either once Certify() is done, feature vertices never being removed. Vertices keep a little less than
+ * delta between them, so that certification ends.
+ *
+ * \ingroup DelaunayRefinement
+ */
+class DelaunayRefinementSurfaceSample
+{
+public:
+  using PointType = DelaunayRefinementPoint;
+
+  /** Points are rounded to floats if \c roundToFloat is set. */
+  DelaunayRefinementSurfaceSample(const DelaunayRefinementOracle &     oracle,
+                                  const DelaunayRefinementLocalDelta & localDelta,
+                                  bool                                 roundToFloat);
+
+  /** Appends points that are at least \c spacing times delta apart, in a random order that is always the same, and
+   * leaves parts of the surface open. */
+  void
+  Seed(double spacing, std::vector<PointType> & points);
+
+  /** Tells of a feature vertex inserted by another rule. */
+  void
+  Add(const PointType & point);
+
+  /** Appends the points that R1 inserts, until no part of the surface is open. */
+  void
+  Certify(std::vector<PointType> & points);
+
+  /** Opens the whole surface again, after delta was lowered somewhere. */
+  void
+  Reopen();
+
+private:
+  using PatchType = DelaunayRefinementOracle::SurfacePatch;
+
+  enum class PatchState
+  {
+    COVERED,
+    OPEN
+  };
+
+  /** Covered or not; a patch whose point is farther than \c spacing times delta from all vertices gets one first. */
+  PatchState
+  Visit(const PatchType & patch, double spacing, std::vector<PointType> & points);
+
+  void
+  Shuffle(std::vector<PatchType> & patches);
+
+  const DelaunayRefinementOracle &     m_Oracle;
+  const DelaunayRefinementLocalDelta & m_LocalDelta;
+  bool                                 m_RoundToFloat;
+  DelaunayRefinementPointGrid          m_Grid;
+  std::vector<PatchType>               m_Open;
+};
+} // end namespace itk
+
+#endif
