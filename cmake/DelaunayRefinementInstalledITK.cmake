@@ -39,3 +39,42 @@ endif()
 if(BUILD_TESTING)
   add_subdirectory(test)
 endif()
+
+# For find_package(DelaunayRefinement).
+include(CMakePackageConfigHelpers)
+set(_config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/DelaunayRefinement)
+configure_package_config_file(
+  cmake/DelaunayRefinementConfig.cmake.in
+  ${PROJECT_BINARY_DIR}/DelaunayRefinementConfig.cmake
+  INSTALL_DESTINATION ${_config_dir}
+)
+write_basic_package_version_file(
+  ${PROJECT_BINARY_DIR}/DelaunayRefinementConfigVersion.cmake
+  COMPATIBILITY SameMinorVersion
+)
+install(TARGETS DelaunayRefinement EXPORT DelaunayRefinementTargets)
+install(
+  EXPORT DelaunayRefinementTargets
+  NAMESPACE DelaunayRefinement::
+  DESTINATION ${_config_dir}
+)
+install(
+  FILES
+    ${PROJECT_BINARY_DIR}/DelaunayRefinementConfig.cmake
+    ${PROJECT_BINARY_DIR}/DelaunayRefinementConfigVersion.cmake
+  DESTINATION ${_config_dir}
+)
+install(
+  DIRECTORY
+    ${PROJECT_SOURCE_DIR}/include/
+    ${PROJECT_BINARY_DIR}/include/
+  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/DelaunayRefinement
+  FILES_MATCHING
+  PATTERN
+  "*.h"
+  PATTERN
+  "*.hxx"
+)
+if(TARGET mesh-image)
+  install(TARGETS mesh-image)
+endif()

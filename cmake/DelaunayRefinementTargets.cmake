@@ -50,7 +50,13 @@ function(delaunay_refinement_warnings target)
         -Wextra
     )
     if(DelaunayRefinement_WARNINGS_AS_ERRORS)
-      target_compile_options(${target} PRIVATE -Werror)
+      # GCC 12 sees ghosts in inlined containers at -O3: a warning, no error.
+      target_compile_options(
+        ${target}
+        PRIVATE
+          -Werror
+          -Wno-error=array-bounds
+      )
     endif()
   elseif(MSVC AND DelaunayRefinement_WARNINGS_AS_ERRORS)
     target_compile_options(${target} PRIVATE /WX)
