@@ -1,0 +1,196 @@
+/*=========================================================================
+ *
+ *  Copyright The DelaunayRefinement Contributors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkDelaunayRefinementLatticeOracle_h
+#define itkDelaunayRefinementLatticeOracle_h
+
+#include "itkDelaunayRefinementComponent.h"
+#include "itkDelaunayRefinementOracle.h"
+#include "itkDelaunayRefinementVoxelComponents.h"
+#include "itkDelaunayRefinementVoxelMask.h"
+
+#include <memory>
+
+namespace itk
+{
+class DelaunayRefinementBricks;
+
+/** \class DelaunayRefinementLatticeOracle
+ * \brief An object sampled on a lattice of voxels in physical space; what lies between the voxels is up to a model.
+ *
+ * A mask says which voxels are inside. A cell is the cube between eight voxel centers; the surface passes only through
+ * cells with voxels of both kinds, and is found there by the model:
+ * - INDICATOR: the half level of the trilinear interpolation of the mask;
+ * - GREY: the zero level of the trilinear interpolation of values that a derived class gives for voxels;
+ * - NEAREST: the faces of the voxels;
+ * - FIELD: the zero level of any function, that a derived class evaluates; details smaller than a quarter of a voxel
+ *   may be missed, and closest points are as exact as that.
+ * Beyond the outermost voxels values are mirrored about the level where they are inside, so that the object is closed
+ * half a voxel beyond its outermost voxels' centers.
+ *
+ * Closest surface points are exact to 0.05 voxel, and on the surface to 1e-6 voxel, but for FIELD.
+ *
+ * \ingroup DelaunayRefinement
+ */
+class DelaunayRefinement_EXPORT DelaunayRefinementLatticeOracle : public DelaunayRefinementOracle
+{
+public:
+  enum class ModelEnum : uint8_t
+  {
+    INDICATOR,
+    GREY,
+    NEAREST,
+    FIELD
+  };
+
+  /** Where the voxels' centers are: origin + x * axes[0] + y * axes[1] + z * axes[2]. */
+  struct FrameType
+  {
+    PointType                origin;
+    std::array<PointType, 3> axes;
+  };
+
+  ~DelaunayRefinementLatticeOracle() override;
+
+  RegionType
+  Classify(const PointType & point) const override;
+
+  bool
+  FindClosestSurfacePoint(const PointType & point, double maximumDistance, PointType & closest) const override;
+
+  bool
+  FindFirstCrossing(const PointType & from, const PointType & to, PointType & crossing) const override;
+
+  bool
+  MayIntersectBox(const BoundsType & box) const override;
+
+  BoundsType
+  GetSurfaceBounds() const override;
+
+  std::vector<SurfacePatch>
+  GetSurfacePatches() const override;
+
+  void
+  SplitSurfacePatch(const SurfacePatch & patch, std::vector<SurfacePatch> & parts) const override;
+
+  ComponentType
+  GetNumberOfComponents() const override;
+
+  ComponentType
+  FindComponent(const PointType & point) const override;
+
+  BoundsType
+  GetComponentBounds(ComponentType component) const override;
+
+  /** Describes the components. Inscribed radii are found by climbing away from the surface, which stops once \c enough
+   * is reached: they may be too small, never too large. */
+  std::vector<DelaunayRefinementComponent>
+  ComputeComponents(double enough) const;
+
+  /** Area of the surface (mm^2), estimated from the faces of the mask's voxels. */
+  double
+  EstimateSurfaceArea() const;
+
+  /** Volume of the object's voxels (mm^3). */
+  double
+  ComputeVoxelVolume() const;
+
+protected:
+  /** Nothing can be asked before Initialize(). */
+  DelaunayRefinementLatticeOracle();
+
+  /** Takes the mask, its components and the frame, and sets up the search for the surface. */
+  void
+  Initialize(ModelEnum                        model,
+             const FrameType &                frame,
+             DelaunayRefinementVoxelMask      mask,
+             DelaunayRefinementVoxelComponents components);
+
+  /** GREY: the value of a voxel minus the level; its sign need not agree with the mask, which prevails. */
+  virtual double
+  GetVoxelValue(std::int32_t x, std::int32_t y, std::int32_t z) const;
+
+  /** FIELD: whether a point is inside, given in voxels from the first voxel's center. */
+  virtual bool
+  IsInsideField(const PointType & position) const;
+
+private:
+  using IndexType = std::array<std::int32_t, 3>;
+
+  /** Lattice coordinates count voxels from the outer layer: cell (i, j, k) spans [i, i+1] x [j, j+1] x [k, k+1]. */
+  PointType
+  ToLattice(const PointType & physical) const;
+  PointType
+  ToPhysical(const PointType & lattice) const;
+  BoundsType
+  ToPhysical(const BoundsType & lattice) const;
+
+  double
+  GetSquaredLength(const PointType & latticeVector) const;
+
+  /** A lower bound on the squared length of vectors with at least these absolute coordinates. */
+  double
+  GetLeastSquaredLength(const PointType & separations) const;
+
+  /** An upper bound on the length of vectors with at most these absolute coordinates. */
+  double
+  GetGreatestLength(const PointType & extents) const;
+
+  std::array<double, 8>
+  GetCellValues(const IndexType & cell) const;
+
+  double
+  GetCornerValue(std::int32_t x, std::int32_t y, std::int32_t z) const;
+
+  /** Calls \c visitor with the cell in the kind that the model asks for. */
+  template <typename TVisitor>
+  auto
+  VisitCell(const IndexType & cell, const TVisitor & visitor) const;
+
+  bool
+  IsInsideCell(const IndexType & cell, const PointType & lattice) const;
+
+  bool
+  FindChangeInBrick(const IndexType & brick,
+                    const PointType & from,
+                    const PointType & direction,
+                    double            begin,
+                    double            end,
+                    bool              isInside,
+                    double &          share) const;
+
+  bool
+  MakePatch(const IndexType & index, unsigned int level, SurfacePatch & patch) const;
+
+  class ClosestSearch;
+
+  double
+  ClimbToInscribedRadius(const IndexType & voxel, double enough) const;
+
+  ModelEnum                                          m_Model{ ModelEnum::INDICATOR };
+  FrameType                                          m_Frame{};
+  PointType                                          m_LatticeOrigin{};
+  std::array<PointType, 3>                           m_InverseRows{};
+  std::array<PointType, 3>                           m_Gram{};
+  double                                             m_LeastStretch{ 1.0 };
+  std::unique_ptr<DelaunayRefinementVoxelMask>       m_Mask;
+  std::unique_ptr<DelaunayRefinementVoxelComponents> m_Components;
+  std::unique_ptr<DelaunayRefinementBricks>          m_Bricks;
+};
+} // end namespace itk
+
+#endif

@@ -1,0 +1,340 @@
+/*=========================================================================
+ *
+ *  Copyright The DelaunayRefinement Contributors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkDelaunayRefinementCells_h
+#define itkDelaunayRefinementCells_h
+
+#include "itkDelaunayRefinementTypes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace itk
+{
+/** The three kinds of cells below say where the object is inside the unit cube between eight voxel centers. All offer:
+ * IsInside(point), MayIntersect(corner, size) for a cube within the cell (false only if the surface misses it),
+ * SamplesPerSide(size) (on a grid so fine the cube is mixed if it holds surface), and FindFirstChange(from, to,
+ * isInside, share): the first share of the way at which the inside differs from \c isInside. */
+
+/** \class DelaunayRefinementLinearCell
+ * \brief Inside is where the trilinear interpolation of eight corner values is >= 0.
+ *
+ * \ingroup DelaunayRefinement
+ */
+class DelaunayRefinementLinearCell
+{
+public:
+  using PointType = DelaunayRefinementPoint;
+
+  /** Corner values in the order of voxel masks' configurations: x fastest. */
+  explicit DelaunayRefinementLinearCell(const std::array<double, 8> & v)
+    : m_Constant(v[0])
+    , m_X(v[1] - v[0])
+    , m_Y(v[2] - v[0])
+    , m_Z(v[4] - v[0])
+    , m_XY(v[3] - v[2] - v[1] + v[0])
+    , m_XZ(v[5] - v[4] - v[1] + v[0])
+    , m_YZ(v[6] - v[4] - v[2] + v[0])
+    , m_XYZ(v[7] - v[6] - v[5] - v[3] + v[4] + v[2] + v[1] - v[0])
+  {}
+
+  double
+  Evaluate(const PointType & p) const
+  {
+    return m_Constant + p[0] * (m_X + p[1] * (m_XY + p[2] * m_XYZ) + p[2] * m_XZ) + p[1] * (m_Y + p[2] * m_YZ) +
+           p[2] * m_Z;
+  }
+
+  bool
+  IsInside(const PointType & p) const
+  {
+    return this->Evaluate(p) >= 0.0;
+  }
+
+  bool
+  MayIntersect(const PointType & corner, double size) const
+  {
+    // Within a cube a trilinear function stays between its values at the corners.
+    const bool first = this->IsInside(corner);
+    for (unsigned int i = 1; i < 8; ++i)
+    {
+      if (this->IsInside(
+            { corner[0] + (i & 1u) * size, corner[1] + (i >> 1 & 1u) * size, corner[2] + (i >> 2) * size }) != first)
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  static unsigned int
+  SamplesPerSide(double)
+  {
+    return 1;
+  }
+
+  bool
+  FindFirstChange(const PointType & from, const PointType & to, bool isInside, double & share) const
+  {
+    // A cubic along the way, in Bernstein form: it stays between the least and the greatest of its coefficients.
+    const PointType d{ to[0] - from[0], to[1] - from[1], to[2] - from[2] };
+    const double    dxy = d[0] * d[1];
+    const double    dxz = d[0] * d[2];
+    const double    dyz = d[1] * d[2];
+    const double    c0 = this->Evaluate(from);
+    const double    c1 = d[0] * (m_X + from[1] * m_XY + from[2] * m_XZ + from[1] * from[2] * m_XYZ) +
+                      d[1] * (m_Y + from[0] * m_XY + from[2] * m_YZ + from[0] * from[2] * m_XYZ) +
+                      d[2] * (m_Z + from[0] * m_XZ + from[1] * m_YZ + from[0] * from[1] * m_XYZ);
+    const double c2 = dxy * (m_XY + from[2] * m_XYZ) + dxz * (m_XZ + from[1] * m_XYZ) + dyz * (m_YZ + from[0] * m_XYZ);
+    const double c3 = dxy * d[2] * m_XYZ;
+    const double third = 1.0 / 3.0;
+    return FindFirstChange(
+      { c0, c0 + third * c1, c0 + 2.0 * third * c1 + third * c2, c0 + c1 + c2 + c3 }, isInside, 0.0, 1.0, share);
+  }
+
+private:
+  static bool
+  FindFirstChange(const std::array<double, 4> & b, bool isInside, double low, double high, double & share)
+  {
+    constexpr double narrowest = 1e-7;
+    const auto       differs = [isInside](double value) { return (value >= 0.0) != isInside; };
+    if (differs(b[0]))
+    {
+      share = low;
+      return true;
+    }
+    if (!(differs(b[1]) || differs(b[2]) || differs(b[3])))
+    {
+      return false;
+    }
+    if (high - low < narrowest)
+    {
+      share = high;
+      return differs(b[3]);
+    }
+    const double ab = 0.5 * (b[0] + b[1]);
+    const double bc = 0.5 * (b[1] + b[2]);
+    const double cd = 0.5 * (b[2] + b[3]);
+    const double abc = 0.5 * (ab + bc);
+    const double bcd = 0.5 * (bc + cd);
+    const double middle = 0.5 * (abc + bcd);
+    const double half = 0.5 * (low + high);
+    return FindFirstChange({ b[0], ab, abc, middle }, isInside, low, half, share) ||
+           FindFirstChange({ middle, bcd, cd, b[3] }, isInside, half, high, share);
+  }
+
+  double m_Constant;
+  double m_X;
+  double m_Y;
+  double m_Z;
+  double m_XY;
+  double m_XZ;
+  double m_YZ;
+  double m_XYZ;
+};
+
+/** \class DelaunayRefinementNearestCell
+ * \brief Inside is where the nearest corner is; halfway counts for the upper one.
+ *
+ * \ingroup DelaunayRefinement
+ */
+class DelaunayRefinementNearestCell
+{
+public:
+  using PointType = DelaunayRefinementPoint;
+
+  explicit DelaunayRefinementNearestCell(unsigned int configuration)
+    : m_Configuration(configuration)
+  {}
+
+  bool
+  IsInside(const PointType & p) const
+  {
+    const unsigned int corner = (p[0] >= 0.5 ? 1u : 0u) | (p[1] >= 0.5 ? 2u : 0u) | (p[2] >= 0.5 ? 4u : 0u);
+    return m_Configuration >> corner & 1u;
+  }
+
+  bool
+  MayIntersect(const PointType & corner, double size) const
+  {
+    const bool first = this->IsInside(corner);
+    for (unsigned int i = 1; i < 8; ++i)
+    {
+      if (this->IsInside(
+            { corner[0] + (i & 1u) * size, corner[1] + (i >> 1 & 1u) * size, corner[2] + (i >> 2) * size }) != first)
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  static unsigned int
+  SamplesPerSide(double)
+  {
+    return 1;
+  }
+
+  bool
+  FindFirstChange(const PointType & from, const PointType & to, bool isInside, double & share) const
+  {
+    // The inside can only change where a coordinate passes one half.
+    std::array<double, 5> stops{ 0.0, 1.0, 1.0, 1.0, 1.0 };
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      if ((from[i] < 0.5) != (to[i] < 0.5))
+      {
+        stops[i + 1] = std::clamp((0.5 - from[i]) / (to[i] - from[i]), 0.0, 1.0);
+      }
+    }
+    std::sort(stops.begin(), stops.end());
+    for (unsigned int i = 0; i + 1 < stops.size(); ++i)
+    {
+      const double s = 0.5 * (stops[i] + stops[i + 1]);
+      if (stops[i] < stops[i + 1] && this->IsInside({ from[0] + s * (to[0] - from[0]),
+                                                      from[1] + s * (to[1] - from[1]),
+                                                      from[2] + s * (to[2] - from[2]) }) != isInside)
+      {
+        share = stops[i];
+        return true;
+      }
+    }
+    share = 1.0;
+    return this->IsInside(to) != isInside;
+  }
+
+private:
+  unsigned int m_Configuration;
+};
+
+/** \class DelaunayRefinementFieldCell
+ * \brief Inside is what a function says, which is asked on a grid of quarters of the cell: finer detail is missed.
+ *
+ * \ingroup DelaunayRefinement
+ */
+template <typename TFunction>
+class DelaunayRefinementFieldCell
+{
+public:
+  using PointType = DelaunayRefinementPoint;
+
+  explicit DelaunayRefinementFieldCell(const TFunction & isInside)
+    : m_IsInside(isInside)
+  {}
+
+  bool
+  IsInside(const PointType & p) const
+  {
+    return m_IsInside(p);
+  }
+
+  bool
+  MayIntersect(const PointType & corner, double size) const
+  {
+    const unsigned int samples = SamplesPerSide(size);
+    const double       step = size / samples;
+    const bool         first = m_IsInside(corner);
+    for (unsigned int z = 0; z <= samples; ++z)
+    {
+      for (unsigned int y = 0; y <= samples; ++y)
+      {
+        for (unsigned int x = 0; x <= samples; ++x)
+        {
+          if (m_IsInside({ corner[0] + x * step, corner[1] + y * step, corner[2] + z * step }) != first)
+          {
+            return true;
+          }
+        }
+      }
+    }
+    return false;
+  }
+
+  static unsigned int
+  SamplesPerSide(double size)
+  {
+    return size > 0.25 ? static_cast<unsigned int>(std::ceil(4.0 * size)) : 1;
+  }
+
+  bool
+  FindFirstChange(const PointType & from, const PointType & to, bool isInside, double & share) const
+  {
+    const auto at = [&](double s) {
+      return m_IsInside(
+        { from[0] + s * (to[0] - from[0]), from[1] + s * (to[1] - from[1]), from[2] + s * (to[2] - from[2]) });
+    };
+    const double length = std::max({ std::abs(to[0] - from[0]), std::abs(to[1] - from[1]), std::abs(to[2] - from[2]) });
+    const unsigned int steps = 2 * SamplesPerSide(length);
+    for (unsigned int i = 0; i <= steps; ++i)
+    {
+      double high = static_cast<double>(i) / steps;
+      if (at(high) != isInside)
+      {
+        double low = i == 0 ? 0.0 : static_cast<double>(i - 1) / steps;
+        for (unsigned int halving = 0; halving < 20 && i > 0; ++halving)
+        {
+          const double middle = 0.5 * (low + high);
+          (at(middle) != isInside ? high : low) = middle;
+        }
+        share = high;
+        return true;
+      }
+    }
+    return false;
+  }
+
+private:
+  const TFunction & m_IsInside;
+};
+
+/** A point of the surface in a cube of a cell: on the way from \c start, a point of the cube, to the first point of a
+ * grid on the cube that is on the other side. False if there is none. */
+template <typename TCell>
+bool
+FindSurfacePointInCube(const TCell &                   cell,
+                       const DelaunayRefinementPoint & corner,
+                       double                          size,
+                       const DelaunayRefinementPoint & start,
+                       DelaunayRefinementPoint &       found)
+{
+  const bool         isInside = cell.IsInside(start);
+  const unsigned int samples = TCell::SamplesPerSide(size);
+  const double       step = size / samples;
+  for (unsigned int z = 0; z <= samples; ++z)
+  {
+    for (unsigned int y = 0; y <= samples; ++y)
+    {
+      for (unsigned int x = 0; x <= samples; ++x)
+      {
+        const DelaunayRefinementPoint end{ corner[0] + x * step, corner[1] + y * step, corner[2] + z * step };
+        double                        share;
+        if (cell.IsInside(end) != isInside && cell.FindFirstChange(start, end, isInside, share))
+        {
+          for (unsigned int i = 0; i < 3; ++i)
+          {
+            found[i] = start[i] + share * (end[i] - start[i]);
+          }
+          return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+} // end namespace itk
+
+#endif

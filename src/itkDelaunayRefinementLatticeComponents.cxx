@@ -1,0 +1,163 @@
+/*=========================================================================
+ *
+ *  Copyright The DelaunayRefinement Contributors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkDelaunayRefinementLatticeOracle.h"
+
+#include "itkDelaunayRefinementGeometry.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace itk
+{
+namespace
+{
+using Geometry = DelaunayRefinementGeometry;
+} // namespace
+
+std::vector<DelaunayRefinementComponent>
+DelaunayRefinementLatticeOracle::ComputeComponents(double enough) const
+{
+  const auto &           infos = m_Components->GetComponents();
+  std::vector<IndexType> centers(infos.size());
+  std::vector<std::int32_t> longest(infos.size(), 0);
+  const auto &              size = m_Mask->GetSize();
+  for (std::int32_t z = 0; z < size[2]; ++z)
+  {
+    for (std::int32_t y = 0; y < size[1]; ++y)
+    {
+      const std::size_t begin = m_Components->GetFirstRun(y, z);
+      const std::size_t end = m_Components->GetFirstRun(y + 1, z);
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const auto & run = m_Components->GetRuns()[i];
+        if (run.last - run.first + 1 > longest[run.component])
+        {
+          longest[run.component] = run.last - run.first + 1;
+          centers[run.component] = { (run.first + run.last) / 2, y, z };
+        }
+      }
+    }
+  }
+  const double voxelVolume = std::abs(
+    Geometry::Dot(m_Frame.axes[0], Geometry::Cross(m_Frame.axes[1], m_Frame.axes[2])));
+  std::vector<DelaunayRefinementComponent> components(infos.size());
+  for (std::size_t i = 0; i < infos.size(); ++i)
+  {
+    const IndexType & first = infos[i].firstVoxel;
+    components[i].numberOfVoxels = infos[i].numberOfVoxels;
+    components[i].volume = voxelVolume * static_cast<double>(infos[i].numberOfVoxels);
+    components[i].firstVoxel = this->ToPhysical(PointType{ first[0] + 1.0, first[1] + 1.0, first[2] + 1.0 });
+    components[i].inscribedRadius = this->ClimbToInscribedRadius(centers[i], enough);
+  }
+  return components;
+}
+
+double
+DelaunayRefinementLatticeOracle::ClimbToInscribedRadius(const IndexType & voxel, double enough) const
+{
+  constexpr unsigned int maximumNumberOfSteps = 30;
+  constexpr double       smallestGain = 0.02;
+  PointType              point = this->ToPhysical(PointType{ voxel[0] + 1.0, voxel[1] + 1.0, voxel[2] + 1.0 });
+  const auto             radiusAt = [&](const PointType & p, PointType & closest) {
+    return this->Classify(p) != 0 && this->FindClosestSurfacePoint(p, enough, closest) ? Geometry::Distance(p, closest)
+                                                                                                   : -1.0;
+  };
+  PointType closest;
+  double    radius = radiusAt(point, closest);
+  if (radius < 0.0)
+  {
+    // Nothing near, if inside at all.
+    return this->Classify(point) != 0 ? enough : 0.0;
+  }
+  double stride = 0.5;
+  for (unsigned int step = 0; step < maximumNumberOfSteps && radius < enough && stride > smallestGain; ++step)
+  {
+    const PointType next = Geometry::AddScaled(point, stride, Geometry::Subtract(point, closest));
+    if (this->Classify(next) == 0)
+    {
+      stride *= 0.5;
+      continue;
+    }
+    PointType    nextClosest;
+    const double nextRadius = radiusAt(next, nextClosest);
+    if (nextRadius < 0.0)
+    {
+      return enough;
+    }
+    if (nextRadius > radius * (1.0 + smallestGain))
+    {
+      point = next;
+      closest = nextClosest;
+      radius = nextRadius;
+    }
+    else
+    {
+      stride *= 0.5;
+    }
+  }
+  return radius;
+}
+
+double
+DelaunayRefinementLatticeOracle::EstimateSurfaceArea() const
+{
+  std::array<double, 3>               faces{};
+  const DelaunayRefinementVoxelMask & mask = *m_Mask;
+  const auto &          size = mask.GetSize();
+  const std::size_t     words = mask.GetWordsPerRow();
+  const auto            count = [](std::uint64_t word) {
+    double number = 0.0;
+    for (; word != 0; word &= word - 1)
+    {
+      ++number;
+    }
+    return number;
+  };
+  for (std::int32_t z = 0; z <= size[2]; ++z)
+  {
+    for (std::int32_t y = 0; y <= size[1]; ++y)
+    {
+      const std::uint64_t * row = mask.GetRow(y, z);
+      const std::uint64_t * nextY = mask.GetRow(y + 1, z);
+      const std::uint64_t * nextZ = mask.GetRow(y, z + 1);
+      for (std::size_t i = 0; i < words; ++i)
+      {
+        const std::uint64_t carry = i + 1 < words ? row[i + 1] << 63 : 0;
+        faces[0] += count(row[i] ^ (row[i] >> 1 | carry));
+        faces[1] += count(row[i] ^ nextY[i]);
+        faces[2] += count(row[i] ^ nextZ[i]);
+      }
+    }
+  }
+  // Over all orientations the faces of voxels have on average one and a half times the area of the smooth surface.
+  double area = 0.0;
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    const PointType normal = Geometry::Cross(m_Frame.axes[(i + 1) % 3], m_Frame.axes[(i + 2) % 3]);
+    area += faces[i] * std::sqrt(Geometry::Dot(normal, normal)) / 1.5;
+  }
+  return area;
+}
+
+double
+DelaunayRefinementLatticeOracle::ComputeVoxelVolume() const
+{
+  return std::abs(Geometry::Dot(m_Frame.axes[0], Geometry::Cross(m_Frame.axes[1], m_Frame.axes[2]))) *
+         static_cast<double>(m_Mask->Count());
+}
+} // end namespace itk
