@@ -1,0 +1,41 @@
+/*=========================================================================
+ *
+ *  Copyright The DelaunayRefinement Contributors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef MeshImageMetaImageHeader_h
+#define MeshImageMetaImageHeader_h
+
+#include <cstdint>
+#include <string>
+
+namespace meshimage
+{
+/** Where the voxels of a MetaImage are. */
+struct MetaImageHeader
+{
+  bool          hasOneDataFile{ false };
+  std::string   dataFile;
+  std::uint64_t dataOffset{ 0 };
+  bool          binary{ true };
+  bool          compressed{ false };
+  std::uint64_t compressedSize{ 0 };
+};
+
+MetaImageHeader
+ReadMetaImageHeader(const std::string & fileName);
+} // namespace meshimage
+
+#endif

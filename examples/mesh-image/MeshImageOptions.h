@@ -1,0 +1,76 @@
+/*=========================================================================
+ *
+ *  Copyright The DelaunayRefinement Contributors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef MeshImageOptions_h
+#define MeshImageOptions_h
+
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace meshimage
+{
+enum class Interpolator
+{
+  Linear,
+  Nearest,
+  BSpline
+};
+
+/** The command line. What is not set is left to the filter's own defaults. */
+struct Options
+{
+  std::string image;
+  std::string output;
+
+  std::optional<double>      isoValue;
+  std::optional<double>      lowerThreshold;
+  std::optional<double>      upperThreshold;
+  std::vector<std::uint64_t> labels;
+  bool                       mergeLabels{ false };
+
+  std::optional<double>        delta;
+  std::optional<double>        cellSize;
+  std::optional<double>        radiusEdgeBound;
+  std::optional<double>        minimumDihedralAngle;
+  std::optional<std::uint64_t> maximumNumberOfVertices;
+
+  bool                         largestComponent{ false };
+  std::optional<std::uint64_t> minimumComponentSize;
+
+  Interpolator  interpolator{ Interpolator::Linear };
+  std::string   surface;
+  std::string   report;
+  std::uint64_t threads{ 1 };
+  bool          quiet{ false };
+};
+
+/** The command line cannot be used; the sentence names the option. */
+class UsageError : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/** Reads the command line; nothing if it only asked for the help or the version, which are then printed. */
+std::optional<Options>
+ParseOptions(int argc, char * argv[]);
+} // namespace meshimage
+
+#endif

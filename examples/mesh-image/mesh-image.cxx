@@ -1,0 +1,151 @@
+/*=========================================================================
+ *
+ *  Copyright The DelaunayRefinement Contributors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "MeshImageInput.h"
+#include "MeshImageInterrupt.h"
+#include "MeshImageMessages.h"
+#include "MeshImageOptions.h"
+#include "MeshImageOutputs.h"
+#include "MeshImageProgressBar.h"
+#include "MeshImageReport.h"
+#include "MeshImageRun.h"
+#include "MeshImageStopwatch.h"
+
+#include "itkTetrahedralMeshWriter.h"
+
+#include <iostream>
+#include <new>
+
+namespace
+{
+using namespace meshimage;
+
+constexpr int failure = 1;
+constexpr int badUsage = 2;
+
+void
+WriteMesh(const std::string & target, const MeshType & mesh, Outputs & outputs, ProgressBar & bar)
+{
+  const auto writer = itk::TetrahedralMeshWriter<MeshType>::New();
+  writer->SetInput(&mesh);
+  writer->SetFileName(outputs.GetDraft(target));
+  writer->AddObserver(itk::ProgressEvent(),
+                      [&bar, &writer](const itk::EventObject &) { bar.Show("Writing", writer->GetProgress()); });
+  writer->Update();
+}
+
+void
+MeshImage(const Options & options, Outputs & outputs, ProgressBar & bar)
+{
+  for (const std::string & target : { options.output, options.surface, options.report })
+  {
+    if (!target.empty())
+    {
+      outputs.Add(target);
+    }
+  }
+  const itk::ImageIOBase::Pointer io = OpenImage(options.image);
+  const Run run = RunFilter(options, io, [&bar](const char * what, double share) { bar.Show(what, share); });
+
+  bar.Show("Measuring", 0.0);
+  const Stopwatch measuring;
+  const Quality   quality = MeasureQuality(*run.mesh, *run.boundary);
+  const double    measuringSeconds = measuring.GetSeconds();
+
+  const Stopwatch writing;
+  WriteMesh(options.output, *run.mesh, outputs, bar);
+  if (!options.surface.empty())
+  {
+    WriteMesh(options.surface, *run.boundary, outputs, bar);
+  }
+  const Report report{ options, run, quality, measuringSeconds, writing.GetSeconds() };
+  if (!options.report.empty())
+  {
+    WriteReport(outputs.GetDraft(options.report), report);
+  }
+  outputs.Commit();
+  bar.Clear();
+
+  for (const std::string & warning : run.warnings)
+  {
+    std::cerr << "mesh-image: " << warning << std::endl;
+  }
+  if (!options.quiet)
+  {
+    PrintReport(std::cout, report);
+  }
+}
+
+int
+Fail(const std::string & message, int code, ProgressBar & bar)
+{
+  WaitForInterrupt();
+  bar.Clear();
+  std::cerr << "mesh-image: " << message << std::endl;
+  return code;
+}
+} // namespace
+
+int
+main(int argc, char * argv[])
+{
+  std::optional<Options> options;
+  try
+  {
+    options = ParseOptions(argc, argv);
+  }
+  catch (const UsageError & error)
+  {
+    std::cerr << "mesh-image: " << error.what() << "\nTry mesh-image --help" << std::endl;
+    return badUsage;
+  }
+  if (!options)
+  {
+    return EXIT_SUCCESS;
+  }
+
+  Outputs     outputs;
+  ProgressBar bar(options->quiet);
+  EndOnInterrupt([&outputs, &bar] {
+    bar.Clear();
+    return outputs.Discard();
+  });
+  // What readers have to say besides their exceptions is for programmers.
+  itk::Object::GlobalWarningDisplayOff();
+  try
+  {
+    MeshImage(*options, outputs, bar);
+  }
+  catch (const RunError & error)
+  {
+    return Fail(outputs.NameTargets(error.what()), failure, bar);
+  }
+  catch (const itk::ExceptionObject & error)
+  {
+    return Fail(outputs.NameTargets(PlainMessage(error)), failure, bar);
+  }
+  catch (const std::bad_alloc &)
+  {
+    return Fail("There is not enough memory: choose a larger --delta or crop the image", failure, bar);
+  }
+  catch (const std::exception & error)
+  {
+    return Fail(error.what(), failure, bar);
+  }
+  WaitForInterrupt();
+  return EXIT_SUCCESS;
+}
