@@ -23,7 +23,6 @@
 #include <vtkCommand.h>
 #include <vtkDoubleArray.h>
 #include <vtkNew.h>
-#include <vtkPLYWriter.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataWriter.h>
@@ -202,17 +201,17 @@ RunWriter(TWriter * writer, vtkDataObject * data, const TetrahedralMeshFile::Pro
 }
 
 template <typename TWriter>
-std::string
+std::optional<std::string>
 ComposeXML(vtkDataObject * data, const TetrahedralMeshFile::ProgressType & progress)
 {
   vtkNew<TWriter> writer;
   writer->SetDataModeToAppended();
   writer->SetCompressorTypeToZLib();
-  return RunWriter(writer.Get(), data, progress) ? writer->GetOutputString() : std::string();
+  return RunWriter(writer.Get(), data, progress) ? std::optional(writer->GetOutputString()) : std::nullopt;
 }
 
 template <typename TWriter>
-std::string
+std::optional<std::string>
 ComposeLegacy(vtkDataObject * data, bool longLabels, const TetrahedralMeshFile::ProgressType & progress)
 {
   vtkNew<TWriter> writer;
@@ -220,33 +219,25 @@ ComposeLegacy(vtkDataObject * data, bool longLabels, const TetrahedralMeshFile::
   // Version 4.2 is what most readers know; they know 64-bit integers from version 5.1 on.
   writer->SetFileVersion(longLabels ? TWriter::VTK_LEGACY_READER_VERSION_5_1 : TWriter::VTK_LEGACY_READER_VERSION_4_2);
   writer->SetHeader("Mesh of itk::DelaunayRefinementMeshFilter");
-  return RunWriter(writer.Get(), data, progress) ? writer->GetOutputStdString() : std::string();
+  return RunWriter(writer.Get(), data, progress) ? std::optional(writer->GetOutputStdString()) : std::nullopt;
 }
 } // namespace
 
-std::string
+std::optional<std::string>
 ComposeVTKFile(TetrahedralMeshVTKFormat                  format,
                const TetrahedralMeshFileContent &        content,
                const TetrahedralMeshFile::ProgressType & progress)
 {
   const SharedArrays arrays(content);
-  const bool         longLabels = std::holds_alternative<std::vector<std::int64_t>>(content.labels) ||
-                          std::holds_alternative<std::vector<std::uint64_t>>(content.labels);
-  switch (format)
+  const bool         tetrahedra = content.pointsPerCell == 4;
+  if (format == TetrahedralMeshVTKFormat::XML)
   {
-    case TetrahedralMeshVTKFormat::VTU:
-      return ComposeXML<vtkXMLUnstructuredGridWriter>(arrays.MakeGrid(), progress);
-    case TetrahedralMeshVTKFormat::VTP:
-      return ComposeXML<vtkXMLPolyDataWriter>(arrays.MakePolyData(), progress);
-    case TetrahedralMeshVTKFormat::LEGACY:
-      return content.pointsPerCell == 4
-               ? ComposeLegacy<vtkUnstructuredGridWriter>(arrays.MakeGrid(), longLabels, progress)
-               : ComposeLegacy<vtkPolyDataWriter>(arrays.MakePolyData(), longLabels, progress);
-    case TetrahedralMeshVTKFormat::PLY:
-      break;
+    return tetrahedra ? ComposeXML<vtkXMLUnstructuredGridWriter>(arrays.MakeGrid(), progress)
+                      : ComposeXML<vtkXMLPolyDataWriter>(arrays.MakePolyData(), progress);
   }
-  vtkNew<vtkPLYWriter> writer;
-  writer->SetFileTypeToBinary();
-  return RunWriter(writer.Get(), arrays.MakePolyData(), progress) ? writer->GetOutputString() : std::string();
+  const bool longLabels = std::holds_alternative<std::vector<std::int64_t>>(content.labels) ||
+                          std::holds_alternative<std::vector<std::uint64_t>>(content.labels);
+  return tetrahedra ? ComposeLegacy<vtkUnstructuredGridWriter>(arrays.MakeGrid(), longLabels, progress)
+                    : ComposeLegacy<vtkPolyDataWriter>(arrays.MakePolyData(), longLabels, progress);
 }
 } // end namespace itk

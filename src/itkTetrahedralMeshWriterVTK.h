@@ -20,20 +20,20 @@
 
 #include "itkTetrahedralMeshFile.h"
 
+#include <optional>
+
 namespace itk
 {
-/** The formats that VTK writes for us. */
+/** The formats that VTK writes for us: XML is .vtu for tetrahedra and .vtp for triangles; LEGACY is .vtk. */
 enum class TetrahedralMeshVTKFormat
 {
-  VTU,
-  VTP,
-  LEGACY,
-  PLY
+  XML,
+  LEGACY
 };
 
 /** The bytes of a file of this format: in memory, as not all of VTK's writers notice that a disk is full.
- * Throws std::runtime_error with VTK's own words; empty if \c progress returned false. */
-std::string
+ * Throws std::runtime_error with VTK's own words; nothing if \c progress returned false. */
+std::optional<std::string>
 ComposeVTKFile(TetrahedralMeshVTKFormat                  format,
                const TetrahedralMeshFileContent &        content,
                const TetrahedralMeshFile::ProgressType & progress);

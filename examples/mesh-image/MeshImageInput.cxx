@@ -85,7 +85,7 @@ RequireUsableGrid(const itk::ImageIOBase & io, const std::string & fileName)
     if (!std::isfinite(spacing) || spacing == 0.0 || !std::isfinite(io.GetOrigin(axis)))
     {
       throw RunError(fileName +
-                     " has a spacing that is zero or an origin or spacing that is no number: repair its header");
+                     " has an axis whose spacing, direction or origin is zero or no number: repair its header");
     }
     const std::vector<double> column = io.GetDirection(axis);
     for (unsigned int row = 0; row < 3; ++row)

@@ -46,7 +46,8 @@ ReadImage(const Options & options, itk::ImageIOBase * io)
   }
   catch (const itk::ExceptionObject & error)
   {
-    throw RunError(options.image + " cannot be read: " + PlainMessage(error));
+    throw RunError(options.image + " cannot be read; it may be truncated or damaged, copy or export it again (" +
+                   PlainMessage(error) + ")");
   }
   const typename TImage::Pointer image = reader->GetOutput();
   image->DisconnectPipeline();

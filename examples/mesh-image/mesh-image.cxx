@@ -110,7 +110,7 @@ main(int argc, char * argv[])
   }
   catch (const UsageError & error)
   {
-    std::cerr << "mesh-image: " << error.what() << "\nTry mesh-image --help" << std::endl;
+    std::cerr << "mesh-image: " << error.what() << " (mesh-image --help lists all options)" << std::endl;
     return badUsage;
   }
   if (!options)
