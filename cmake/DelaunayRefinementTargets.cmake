@@ -33,9 +33,7 @@ macro(delaunay_refinement_find_third_party)
     COMPONENTS
       CommonCore
       CommonDataModel
-      IOGeometry
       IOLegacy
-      IOPLY
       IOXML
   )
 endmacro()
