@@ -129,6 +129,7 @@ TEST(MeshChecks, WholeCubeHasTheFiguresOfItsClosedForm)
 {
   const CheckedMesh cube = MakeCube();
   ExpectGuarantees(cube);
+  ExpectManifoldBoundary(cube);
   ExpectTopology(cube, { 1, 1, 2 });
   EXPECT_EQ(cube.points.size(), 27u);
   EXPECT_EQ(cube.tetrahedra.size(), 48u);
@@ -384,13 +385,19 @@ TEST(MeshChecks, DistancesAgreeWithBruteForce)
   std::mt19937      generator(3);
   const auto        random = [&generator] { return -4.0 + 12.0 * static_cast<double>(generator()) / 4294967295.0; };
 
+  std::vector<PointType> scattered;
+  for (unsigned int i = 0; i < 30; ++i)
+  {
+    scattered.push_back({ random(), random(), random() });
+  }
+
   const TriangleLocator triangles(mesh);
-  const PointLocator    points(mesh.points);
-  for (unsigned int i = 0; i < 200; ++i)
+  const PointLocator    points(scattered);
+  for (unsigned int i = 0; i < 1000; ++i)
   {
     const PointType query{ random(), random(), random() };
     double          nearestPoint = std::numeric_limits<double>::infinity();
-    for (const PointType & point : mesh.points)
+    for (const PointType & point : scattered)
     {
       nearestPoint = std::min(nearestPoint, Distance(query, point));
     }

@@ -21,7 +21,6 @@
 #include "itkCheckedMesh.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace itk::DelaunayRefinementTest
 {
@@ -64,7 +63,7 @@ public:
     m_Bounds = corners.empty() ? BoxType{} : ComputeBoundingBox(corners);
     const PointType size = Subtract(m_Bounds.maximum, m_Bounds.minimum);
     const double    longest = std::max({ size[0], size[1], size[2], std::numeric_limits<double>::min() });
-    m_CellSize = longest / std::max(1.0, std::cbrt(static_cast<double>(boxes.size())));
+    m_CellSize = longest / std::max(1.0, 2.0 * std::cbrt(static_cast<double>(boxes.size())));
     for (unsigned int i = 0; i < 3; ++i)
     {
       m_Size[i] = static_cast<std::size_t>(size[i] / m_CellSize) + 1;
@@ -97,15 +96,14 @@ public:
     const double reach = Distance(m_Bounds.minimum, m_Bounds.maximum) +
                          Distance(point, Scale(Add(m_Bounds.minimum, m_Bounds.maximum), 0.5));
     double smallest = std::numeric_limits<double>::infinity();
-    for (double radius = m_CellSize; smallest > radius; radius *= 2.0)
+    double radius = 0.0;
+    // An item found in the corners of a box may be farther than one outside of it.
+    while (smallest > radius && radius <= reach)
     {
+      radius = std::max(2.0 * radius, m_CellSize);
       const PointType offset{ radius, radius, radius };
       this->ForEachItem({ Subtract(point, offset), Add(point, offset) },
                         [&](std::size_t item) { smallest = std::min(smallest, distance(item)); });
-      if (radius > reach)
-      {
-        break;
-      }
     }
     return smallest;
   }

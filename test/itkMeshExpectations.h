@@ -86,13 +86,12 @@ ExpectTopology(const CheckedMesh & mesh, const ExpectedTopology & topology)
   EXPECT_EQ(ComputeBoundaryEulerCharacteristic(mesh), topology.boundaryEulerCharacteristic);
 }
 
-/** Validity, quality and a manifold boundary: what holds for every object and every delta. */
+/** Validity and quality: what holds for every object and every delta. */
 inline void
 ExpectGuarantees(const CheckedMesh & mesh, double radiusEdgeRatioBound = 2.0)
 {
   ExpectValidMesh(mesh);
   ExpectQuality(mesh, radiusEdgeRatioBound);
-  ExpectManifoldBoundary(mesh);
 }
 } // end namespace itk::DelaunayRefinementTest
 

@@ -21,7 +21,6 @@
 #include "itkMeshChecks.h"
 
 #include <map>
-#include <numeric>
 
 namespace itk::DelaunayRefinementTest
 {
@@ -32,10 +31,13 @@ class DisjointSets
 {
 public:
   explicit DisjointSets(std::size_t size)
-    : m_Parents(size)
-    , m_NumberOfSets(size)
+    : m_NumberOfSets(size)
   {
-    std::iota(m_Parents.begin(), m_Parents.end(), std::size_t{ 0 });
+    m_Parents.reserve(size);
+    for (std::size_t element = 0; element < size; ++element)
+    {
+      m_Parents.push_back(element);
+    }
   }
 
   std::size_t
@@ -68,7 +70,7 @@ public:
   }
 
 private:
-  std::vector<std::size_t> m_Parents;
+  std::vector<std::size_t> m_Parents{};
   std::size_t              m_NumberOfSets;
 };
 
