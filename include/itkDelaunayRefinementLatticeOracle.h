@@ -109,6 +109,18 @@ public:
   double
   ComputeVoxelVolume() const;
 
+  /** A delta that suits the voxels' size and leads to some 300,000 tetrahedra at most. */
+  double
+  ComputeDefaultDelta() const;
+
+  /** The delta for a component: \c delta, or less if the component is too thin for it. */
+  double
+  ComputeComponentDelta(const DelaunayRefinementComponent & component, double delta) const;
+
+  /** A rough estimate of the number of tetrahedra of the whole triangulation. */
+  double
+  EstimateNumberOfTetrahedra(const DelaunayRefinementParameters & parameters) const;
+
 protected:
   /** Nothing can be asked before Initialize(). */
   DelaunayRefinementLatticeOracle();

@@ -18,8 +18,9 @@
 #ifndef itkDelaunayRefinementMeshFilter_h
 #define itkDelaunayRefinementMeshFilter_h
 
-#include "itkDelaunayRefinementComponent.h"
+#include "itkDelaunayRefinementLatticeOracle.h"
 #include "itkDelaunayRefinementTypes.h"
+#include "itkImageDelaunayRefinementOracle.h"
 #include "itkImageToMeshFilter.h"
 #include "itkInterpolateImageFunction.h"
 
@@ -191,8 +192,39 @@ protected:
   GenerateData() override;
 
 private:
-  double                          m_Delta{ 0.0 };
-  bool                            m_DeltaIsSet{ false };
+  using ObjectType = DelaunayRefinementObject<InputPixelType>;
+
+  /** Looks at the pixels and says what the object is; returns the label of its tetrahedra. */
+  double
+  ChooseObject(const InputImageType * image, ObjectType & object) const;
+
+  static std::string
+  DescribeLabels(const LabelsType & labels);
+
+  void
+  VerifyObject(const InputImageType * image, const DelaunayRefinementLatticeOracle & oracle) const;
+
+  DelaunayRefinementParameters
+  MakeParameters(const DelaunayRefinementLatticeOracle & oracle);
+
+  void
+  VerifyMemory(const DelaunayRefinementLatticeOracle & oracle, const DelaunayRefinementParameters & parameters) const;
+
+  void
+  ThrowUnlessCompleted(DelaunayRefinementEnums::TerminationReason reason) const;
+
+  void
+  WarnOfComponents();
+
+  void
+  CopyResult(const DelaunayRefinementResult & result, double label);
+
+  template <typename TCell, typename TCellPoints, typename TNumbering>
+  static void
+  CopyCells(const std::vector<TCellPoints> & from, double label, const TNumbering & numberOf, OutputMeshType * to);
+
+  double                             m_Delta{ 0.0 };
+  bool                               m_DeltaIsSet{ false };
   double                          m_RadiusEdgeRatioBound{ 2.0 };
   double                          m_CellSize{ std::numeric_limits<double>::infinity() };
   double                          m_MinimumDihedralAngle{ 0.0 };

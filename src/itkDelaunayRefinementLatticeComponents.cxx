@@ -27,6 +27,21 @@ namespace itk
 namespace
 {
 using Geometry = DelaunayRefinementGeometry;
+
+/** Tetrahedra of the mesh for each delta squared of surface, as measured on brains and livers. */
+constexpr double TetrahedraPerArea = 3.0;
+
+/** Tetrahedra of the whole triangulation for each one of the mesh, and for each cell size cubed of volume. */
+constexpr double AllPerInner = 3.0;
+constexpr double TetrahedraPerVolume = 8.0;
+
+constexpr double MostDefaultTetrahedra = 3e5;
+
+/** The default delta is at least this many voxels. */
+constexpr double DefaultDeltaInVoxels = 1.5;
+
+/** No component gets a delta below this many voxels at the start. */
+constexpr double LeastDeltaInVoxels = 0.1;
 } // namespace
 
 std::vector<DelaunayRefinementComponent>
@@ -159,5 +174,30 @@ DelaunayRefinementLatticeOracle::ComputeVoxelVolume() const
 {
   return std::abs(Geometry::Dot(m_Frame.axes[0], Geometry::Cross(m_Frame.axes[1], m_Frame.axes[2]))) *
          static_cast<double>(m_Mask->Count());
+}
+
+double
+DelaunayRefinementLatticeOracle::ComputeDefaultDelta() const
+{
+  const double voxel =
+    std::cbrt(std::abs(Geometry::Dot(m_Frame.axes[0], Geometry::Cross(m_Frame.axes[1], m_Frame.axes[2]))));
+  return std::max(DefaultDeltaInVoxels * voxel,
+                  std::sqrt(TetrahedraPerArea * this->EstimateSurfaceArea() / MostDefaultTetrahedra));
+}
+
+double
+DelaunayRefinementLatticeOracle::ComputeComponentDelta(const DelaunayRefinementComponent & component,
+                                                       double                              delta) const
+{
+  const double leastSpacing = std::sqrt(std::min({ m_Gram[0][0], m_Gram[1][1], m_Gram[2][2] }));
+  return std::min(delta, std::max(component.inscribedRadius, LeastDeltaInVoxels * leastSpacing));
+}
+
+double
+DelaunayRefinementLatticeOracle::EstimateNumberOfTetrahedra(const DelaunayRefinementParameters & parameters) const
+{
+  const double surface = TetrahedraPerArea * this->EstimateSurfaceArea() / (parameters.delta * parameters.delta);
+  const double volume = TetrahedraPerVolume * this->ComputeVoxelVolume() / std::pow(parameters.cellSize, 3);
+  return AllPerInner * (surface + volume);
 }
 } // end namespace itk

@@ -1,0 +1,597 @@
+/*=========================================================================
+ *
+ *  Copyright The DelaunayRefinement Contributors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkDelaunayRefinementMeshFilter_hxx
+#define itkDelaunayRefinementMeshFilter_hxx
+
+#include "itkDelaunayRefinementMeshFilter.h"
+
+#include "itkDelaunayRefinementEngine.h"
+#include "itkDelaunayRefinementImageCensus.h"
+#include "itkImageDelaunayRefinementOracle.h"
+#include "itkTetrahedronCell.h"
+#include "itkTriangleCell.h"
+#include "itksys/SystemInformation.hxx"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <sstream>
+
+namespace itk
+{
+template <typename TInputImage, typename TOutputMesh>
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::DelaunayRefinementMeshFilter()
+{
+  this->SetNumberOfRequiredOutputs(2);
+  this->SetNthOutput(1, OutputMeshType::New().GetPointer());
+}
+
+template <typename TInputImage, typename TOutputMesh>
+auto
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::GetBoundaryOutput() -> OutputMeshType *
+{
+  return dynamic_cast<OutputMeshType *>(this->ProcessObject::GetOutput(1));
+}
+
+template <typename TInputImage, typename TOutputMesh>
+void
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::SetDelta(double delta)
+{
+  if (!m_DeltaIsSet || m_Delta != delta)
+  {
+    m_Delta = delta;
+    m_DeltaIsSet = true;
+    this->Modified();
+  }
+}
+
+template <typename TInputImage, typename TOutputMesh>
+void
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::UnsetDelta()
+{
+  if (m_DeltaIsSet)
+  {
+    m_Delta = 0.0;
+    m_DeltaIsSet = false;
+    this->Modified();
+  }
+}
+
+template <typename TInputImage, typename TOutputMesh>
+void
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::SetIsoValue(double value)
+{
+  if (!m_IsoValueIsSet || m_IsoValue != value)
+  {
+    m_IsoValue = value;
+    m_IsoValueIsSet = true;
+    this->Modified();
+  }
+}
+
+template <typename TInputImage, typename TOutputMesh>
+void
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::SetLowerThreshold(double value)
+{
+  if (!m_LowerThresholdIsSet || m_LowerThreshold != value)
+  {
+    m_LowerThreshold = value;
+    m_LowerThresholdIsSet = true;
+    this->Modified();
+  }
+}
+
+template <typename TInputImage, typename TOutputMesh>
+void
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::SetUpperThreshold(double value)
+{
+  if (!m_UpperThresholdIsSet || m_UpperThreshold != value)
+  {
+    m_UpperThreshold = value;
+    m_UpperThresholdIsSet = true;
+    this->Modified();
+  }
+}
+
+template <typename TInputImage, typename TOutputMesh>
+void
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::SetLabels(const LabelsType & labels)
+{
+  if (m_Labels != labels)
+  {
+    m_Labels = labels;
+    this->Modified();
+  }
+}
+
+template <typename TInputImage, typename TOutputMesh>
+void
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::UnsetObjectDefinition()
+{
+  m_IsoValue = 0.0;
+  m_IsoValueIsSet = false;
+  m_LowerThreshold = -std::numeric_limits<double>::infinity();
+  m_LowerThresholdIsSet = false;
+  m_UpperThreshold = std::numeric_limits<double>::infinity();
+  m_UpperThresholdIsSet = false;
+  m_Labels.clear();
+  this->Modified();
+}
+
+template <typename TInputImage, typename TOutputMesh>
+void
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::GenerateOutputInformation()
+{
+  // Meshes have nothing to tell before they are made.
+}
+
+template <typename TInputImage, typename TOutputMesh>
+void
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::VerifyPreconditions() ITKv5_CONST
+{
+  Superclass::VerifyPreconditions();
+  const auto isPositive = [](double value) { return std::isfinite(value) && value > 0.0; };
+  if (ImageDimension != 3)
+  {
+    itkExceptionMacro("The image has dimension " << ImageDimension << "; only images of dimension 3 can be meshed");
+  }
+  if (m_DeltaIsSet && !isPositive(m_Delta))
+  {
+    itkExceptionMacro("Delta is " << m_Delta << "; it must be a positive, finite length");
+  }
+  if (!(std::isfinite(m_RadiusEdgeRatioBound) && m_RadiusEdgeRatioBound >= 1.0))
+  {
+    itkExceptionMacro("RadiusEdgeRatioBound is " << m_RadiusEdgeRatioBound << "; it must be finite and at least 1");
+  }
+  if (!(m_CellSize > 0.0))
+  {
+    itkExceptionMacro("CellSize is " << m_CellSize << "; it must be a positive length");
+  }
+  if (!(m_MinimumDihedralAngle >= 0.0 && m_MinimumDihedralAngle < 60.0))
+  {
+    itkExceptionMacro("MinimumDihedralAngle is " << m_MinimumDihedralAngle
+                                                 << "; it must be at least 0 and below 60 degrees");
+  }
+  if (m_MaximumNumberOfVertices == 0)
+  {
+    itkExceptionMacro("MaximumNumberOfVertices is 0; it must be positive");
+  }
+  if (m_IsoValueIsSet && !std::isfinite(m_IsoValue))
+  {
+    itkExceptionMacro("IsoValue is " << m_IsoValue << "; it must be finite");
+  }
+  if (std::isnan(m_LowerThreshold) || std::isnan(m_UpperThreshold) || m_LowerThreshold > m_UpperThreshold)
+  {
+    itkExceptionMacro("LowerThreshold is " << m_LowerThreshold << " and UpperThreshold is " << m_UpperThreshold
+                                           << "; they must be numbers, the lower one not above the upper one");
+  }
+  const bool hasThreshold = m_LowerThresholdIsSet || m_UpperThresholdIsSet;
+  if ((m_IsoValueIsSet ? 1 : 0) + (hasThreshold ? 1 : 0) + (m_Labels.empty() && !m_MergeLabels ? 0 : 1) > 1)
+  {
+    itkExceptionMacro("IsoValue, LowerThreshold with UpperThreshold, and Labels with MergeLabels define the object in "
+                      "different ways; set only one of them");
+  }
+}
+
+template <typename TInputImage, typename TOutputMesh>
+void
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::GenerateData()
+{
+  m_Statistics = DelaunayRefinementStatistics();
+  m_Components.clear();
+  m_Warnings.clear();
+  m_EffectiveDelta = 0.0;
+  m_PreparationSeconds = 0.0;
+  m_CopySeconds = 0.0;
+  this->GetOutput()->Initialize();
+  this->GetBoundaryOutput()->Initialize();
+  if constexpr (ImageDimension == 3)
+  {
+    using Clock = std::chrono::steady_clock;
+    const auto secondsSince = [](Clock::time_point start) {
+      return std::chrono::duration<double>(Clock::now() - start).count();
+    };
+    const auto             preparationStart = Clock::now();
+    const InputImageType * image = this->GetInput();
+    ObjectType             object;
+    const double           label = this->ChooseObject(image, object);
+
+    const ImageDelaunayRefinementOracle<InputImageType> oracle(image, object, m_Interpolator);
+    this->VerifyObject(image, oracle);
+    const DelaunayRefinementParameters parameters = this->MakeParameters(oracle);
+    this->VerifyMemory(oracle, parameters);
+    m_PreparationSeconds = secondsSince(preparationStart);
+
+    DelaunayRefinementEngine engine(oracle, parameters);
+    const auto               reason = engine.Run();
+    m_Statistics = engine.GetStatistics();
+    this->ThrowUnlessCompleted(reason);
+    this->WarnOfComponents();
+
+    const auto copyStart = Clock::now();
+    this->CopyResult(engine.TakeResult(), label);
+    m_CopySeconds = secondsSince(copyStart);
+  }
+}
+
+template <typename TInputImage, typename TOutputMesh>
+double
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::ChooseObject(const InputImageType * image,
+                                                                     ObjectType &           object) const
+{
+  using DefinitionEnum = typename ObjectType::DefinitionEnum;
+  const auto & region = image->GetBufferedRegion();
+  if (region.GetNumberOfPixels() == 0)
+  {
+    itkExceptionMacro("The image is empty");
+  }
+  const DelaunayRefinementImageCensus<InputPixelType> census(
+    image->GetBufferPointer(), region.GetNumberOfPixels(), region.GetSize(0));
+  if (census.HasNaN())
+  {
+    itkExceptionMacro("The image has pixels that are NaN (not a number); replace them by values");
+  }
+  object.minimumComponentSize = m_MinimumComponentSize;
+  object.largestComponentOnly = m_LargestComponentOnly;
+  if (m_IsoValueIsSet)
+  {
+    object.definition = DefinitionEnum::ISO_VALUE;
+    object.isoValue = m_IsoValue;
+    return 1.0;
+  }
+  if (m_LowerThresholdIsSet || m_UpperThresholdIsSet)
+  {
+    object.definition = DefinitionEnum::THRESHOLD;
+    object.lower = m_LowerThreshold;
+    object.upper = m_UpperThreshold;
+    return 1.0;
+  }
+  if (std::is_floating_point<InputPixelType>::value)
+  {
+    itkExceptionMacro("The image has floating-point values, which are no labels; set IsoValue, or LowerThreshold and "
+                      "UpperThreshold");
+  }
+  const std::vector<InputPixelType> labels = census.FindLabels();
+  for (const InputPixelType label : m_Labels)
+  {
+    if (!(label > InputPixelType{ 0 }))
+    {
+      itkExceptionMacro("Labels has the value " << static_cast<double>(label)
+                                                << "; labels must be positive, 0 being outside");
+    }
+    if (!std::binary_search(labels.begin(), labels.end(), label))
+    {
+      itkExceptionMacro("No voxel has the label " << static_cast<double>(label) << " of Labels; the image has "
+                                                  << this->DescribeLabels(labels));
+    }
+  }
+  if (!m_Labels.empty())
+  {
+    object.definition = DefinitionEnum::LABELS;
+    object.labels = m_Labels;
+    std::sort(object.labels.begin(), object.labels.end());
+    object.labels.erase(std::unique(object.labels.begin(), object.labels.end()), object.labels.end());
+    if (object.labels.size() > 1 && !m_MergeLabels)
+    {
+      itkExceptionMacro("Labels has " << object.labels.size()
+                                      << " values; choose one, or set MergeLabels to mesh them as one object");
+    }
+    return m_MergeLabels ? 1.0 : static_cast<double>(object.labels.front());
+  }
+  object.definition = DefinitionEnum::NON_ZERO;
+  if (m_MergeLabels || labels.empty())
+  {
+    return 1.0;
+  }
+  constexpr std::size_t manyLabels = 8;
+  constexpr double      speckled = 0.3;
+  if (labels.size() >= manyLabels && census.ComputeSpeckle() > speckled)
+  {
+    itkExceptionMacro("The image seems to hold grey values, not labels: " << labels.size()
+                                                                          << " values change from voxel to voxel. Set "
+                                                                             "LowerThreshold and UpperThreshold, or "
+                                                                             "IsoValue, or MergeLabels");
+  }
+  if (labels.front() < InputPixelType{ 0 })
+  {
+    itkExceptionMacro("The image has negative values, which are no labels; set LowerThreshold and UpperThreshold, or "
+                      "IsoValue, or Labels");
+  }
+  if (labels.size() > 1)
+  {
+    itkExceptionMacro("The image has " << this->DescribeLabels(labels)
+                                       << "; choose one by Labels, or set MergeLabels to mesh them as one object");
+  }
+  return static_cast<double>(labels.front());
+}
+
+template <typename TInputImage, typename TOutputMesh>
+std::string
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::DescribeLabels(const LabelsType & labels)
+{
+  constexpr std::size_t mostShown = 10;
+  std::ostringstream    text;
+  text << labels.size() << (labels.size() == 1 ? " label" : " labels");
+  for (std::size_t i = 0; i < std::min(labels.size(), mostShown); ++i)
+  {
+    text << (i == 0 ? ": " : ", ") << static_cast<typename NumericTraits<InputPixelType>::PrintType>(labels[i]);
+  }
+  if (labels.size() > mostShown)
+  {
+    text << ", ...";
+  }
+  return text.str();
+}
+
+template <typename TInputImage, typename TOutputMesh>
+void
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::VerifyObject(const InputImageType *                  image,
+                                                                     const DelaunayRefinementLatticeOracle & oracle) const
+{
+  if (oracle.GetNumberOfComponents() > 0)
+  {
+    return;
+  }
+  const auto & region = image->GetBufferedRegion();
+  const auto   range = DelaunayRefinementImageCensus<InputPixelType>(
+                       image->GetBufferPointer(), region.GetNumberOfPixels(), region.GetSize(0))
+                       .FindRange();
+  std::ostringstream why;
+  if (m_IsoValueIsSet)
+  {
+    why << "no voxel reaches the IsoValue " << m_IsoValue;
+  }
+  else if (m_LowerThresholdIsSet || m_UpperThresholdIsSet)
+  {
+    why << "no voxel is between LowerThreshold " << m_LowerThreshold << " and UpperThreshold " << m_UpperThreshold;
+  }
+  else
+  {
+    why << "no voxel has a label";
+  }
+  itkExceptionMacro("There is no object to mesh: " << why.str() << ", or no component has MinimumComponentSize "
+                                                   << m_MinimumComponentSize << " voxels; pixel values range from "
+                                                   << static_cast<double>(range.first) << " to "
+                                                   << static_cast<double>(range.second));
+}
+
+template <typename TInputImage, typename TOutputMesh>
+DelaunayRefinementParameters
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::MakeParameters(const DelaunayRefinementLatticeOracle & oracle)
+{
+  DelaunayRefinementParameters parameters;
+  parameters.delta = m_DeltaIsSet ? m_Delta : oracle.ComputeDefaultDelta();
+  m_EffectiveDelta = parameters.delta;
+  parameters.radiusEdgeRatioBound = m_RadiusEdgeRatioBound;
+  parameters.cellSize = m_CellSize;
+  parameters.minimumDihedralAngle = m_MinimumDihedralAngle;
+  parameters.maximumNumberOfVertices = m_MaximumNumberOfVertices;
+  parameters.roundToFloat = sizeof(typename OutputMeshType::CoordRepType) < sizeof(double);
+  parameters.progress = [this](double progress) {
+    this->UpdateProgress(static_cast<float>(progress));
+    return !this->GetAbortGenerateData();
+  };
+  m_Components = oracle.ComputeComponents(parameters.delta);
+  for (const DelaunayRefinementComponent & component : m_Components)
+  {
+    parameters.componentDelta.push_back(oracle.ComputeComponentDelta(component, parameters.delta));
+  }
+  return parameters;
+}
+
+template <typename TInputImage, typename TOutputMesh>
+void
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::VerifyMemory(
+  const DelaunayRefinementLatticeOracle & oracle,
+  const DelaunayRefinementParameters &    parameters) const
+{
+  const double             megabytes = oracle.EstimateNumberOfTetrahedra(parameters) * 1e-3;
+  itksys::SystemInformation system;
+  system.RunMemoryCheck();
+  const double available = static_cast<double>(system.GetAvailablePhysicalMemory());
+  if (megabytes > available && available > 0.0)
+  {
+    itkExceptionMacro("Delta " << parameters.delta << " is too small for this object: the mesh would need some "
+                               << std::ceil(megabytes / 1024.0) << " GB of memory, and " << std::floor(available / 1024.0)
+                               << " GB are free; set a larger Delta or CellSize");
+  }
+}
+
+template <typename TInputImage, typename TOutputMesh>
+void
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::ThrowUnlessCompleted(
+  DelaunayRefinementEnums::TerminationReason reason) const
+{
+  using TerminationReason = DelaunayRefinementEnums::TerminationReason;
+  switch (reason)
+  {
+    case TerminationReason::COMPLETED:
+      return;
+    case TerminationReason::STOPPED_BY_CALLER:
+    {
+      ProcessAborted aborted(__FILE__, __LINE__);
+      aborted.SetDescription("The mesh generation was aborted");
+      aborted.SetLocation(ITK_LOCATION);
+      throw aborted;
+    }
+    case TerminationReason::VERTEX_LIMIT:
+      itkExceptionMacro("The mesh needs more vertices than MaximumNumberOfVertices, which is "
+                        << m_MaximumNumberOfVertices << "; set a larger Delta or a larger MaximumNumberOfVertices");
+    case TerminationReason::NO_SURFACE_FOUND:
+      itkExceptionMacro("There is no object to mesh: it has no surface");
+  }
+}
+
+template <typename TInputImage, typename TOutputMesh>
+void
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::WarnOfComponents()
+{
+  constexpr std::size_t mostShown = 10;
+  const auto            describe = [this](std::uint32_t number) {
+    const DelaunayRefinementComponent & component = m_Components[number];
+    std::ostringstream                  text;
+    text << component.numberOfVoxels << (component.numberOfVoxels == 1 ? " voxel" : " voxels") << " at ("
+         << component.firstVoxel[0] << ", " << component.firstVoxel[1] << ", " << component.firstVoxel[2] << ")";
+    return text.str();
+  };
+  const auto & missing = m_Statistics.missingComponents;
+  for (std::size_t i = 0; i < std::min(missing.size(), mostShown); ++i)
+  {
+    m_Warnings.push_back("A component is missing in the mesh: " + describe(missing[i]));
+  }
+  if (missing.size() > mostShown)
+  {
+    m_Warnings.push_back("More components are missing in the mesh: " + std::to_string(missing.size() - mostShown));
+  }
+  const auto & lowered = m_Statistics.loweredDeltas;
+  if (!lowered.empty())
+  {
+    const auto smallest = std::min_element(
+      lowered.begin(), lowered.end(), [](const auto & a, const auto & b) { return a.second < b.second; });
+    std::ostringstream text;
+    text << "Delta was lowered for " << lowered.size() << " of " << m_Components.size()
+         << " components that are too small for " << m_EffectiveDelta << " mm; the least is " << smallest->second
+         << " mm for " << describe(smallest->first);
+    m_Warnings.push_back(text.str());
+  }
+}
+
+template <typename TInputImage, typename TOutputMesh>
+void
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::CopyResult(const DelaunayRefinementResult & result, double label)
+{
+  const auto copyPoints = [](const DelaunayRefinementPoint & from) {
+    typename OutputMeshType::PointType to;
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      to[i] = static_cast<typename OutputMeshType::CoordRepType>(from[i]);
+    }
+    return to;
+  };
+  constexpr IdentifierType none = NumericTraits<IdentifierType>::max();
+
+  OutputMeshType * mesh = this->GetOutput();
+  auto             points = OutputMeshType::PointsContainer::New();
+  points->Reserve(static_cast<IdentifierType>(result.points.size()));
+  for (std::size_t i = 0; i < result.points.size(); ++i)
+  {
+    points->SetElement(static_cast<IdentifierType>(i), copyPoints(result.points[i]));
+  }
+  mesh->SetPoints(points);
+  this->CopyCells<TetrahedronCell<typename OutputMeshType::CellType>>(
+    result.tetrahedra, label, [](std::uint32_t point) { return static_cast<IdentifierType>(point); }, mesh);
+
+  // The boundary's own points, numbered as they come.
+  OutputMeshType *            boundary = this->GetBoundaryOutput();
+  std::vector<IdentifierType> numbers(result.points.size(), none);
+  IdentifierType              next = 0;
+  for (const auto & triangle : result.boundaryTriangles)
+  {
+    for (const std::uint32_t point : triangle)
+    {
+      if (numbers[point] == none)
+      {
+        numbers[point] = next++;
+      }
+    }
+  }
+  auto boundaryPoints = OutputMeshType::PointsContainer::New();
+  boundaryPoints->Reserve(next);
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+  {
+    if (numbers[i] != none)
+    {
+      boundaryPoints->SetElement(numbers[i], copyPoints(result.points[i]));
+    }
+  }
+  boundary->SetPoints(boundaryPoints);
+  this->CopyCells<TriangleCell<typename OutputMeshType::CellType>>(
+    result.boundaryTriangles, label, [&numbers](std::uint32_t point) { return numbers[point]; }, boundary);
+}
+
+template <typename TInputImage, typename TOutputMesh>
+template <typename TCell, typename TCellPoints, typename TNumbering>
+void
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::CopyCells(const std::vector<TCellPoints> & from,
+                                                                  double                           label,
+                                                                  const TNumbering &               numberOf,
+                                                                  OutputMeshType *                 to)
+{
+  const auto value = static_cast<typename OutputMeshType::CellPixelType>(label);
+  auto       cells = OutputMeshType::CellsContainer::New();
+  auto       data = OutputMeshType::CellDataContainer::New();
+  cells->Reserve(static_cast<IdentifierType>(from.size()));
+  data->Reserve(static_cast<IdentifierType>(from.size()));
+  for (std::size_t i = 0; i < from.size(); ++i)
+  {
+    auto * cell = new TCell;
+    for (unsigned int j = 0; j < from[i].size(); ++j)
+    {
+      cell->SetPointId(static_cast<int>(j), numberOf(from[i][j]));
+    }
+    cells->SetElement(static_cast<IdentifierType>(i), cell);
+    data->SetElement(static_cast<IdentifierType>(i), value);
+  }
+  to->SetCellsAllocationMethod(MeshEnums::MeshClassCellsAllocationMethod::CellsAllocatedDynamicallyCellByCell);
+  to->SetCells(cells);
+  to->SetCellData(data);
+}
+
+template <typename TInputImage, typename TOutputMesh>
+void
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::PrintSelf(std::ostream & os, Indent indent) const
+{
+  Superclass::PrintSelf(os, indent);
+  using PrintType = typename NumericTraits<InputPixelType>::PrintType;
+  const auto onOff = [](bool value) { return value ? "On" : "Off"; };
+  os << indent << "Delta: " << m_Delta << '\n';
+  os << indent << "DeltaIsSet: " << onOff(m_DeltaIsSet) << '\n';
+  os << indent << "RadiusEdgeRatioBound: " << m_RadiusEdgeRatioBound << '\n';
+  os << indent << "CellSize: " << m_CellSize << '\n';
+  os << indent << "MinimumDihedralAngle: " << m_MinimumDihedralAngle << '\n';
+  os << indent << "MaximumNumberOfVertices: " << m_MaximumNumberOfVertices << '\n';
+  os << indent << "IsoValue: " << m_IsoValue << '\n';
+  os << indent << "IsoValueIsSet: " << onOff(m_IsoValueIsSet) << '\n';
+  os << indent << "LowerThreshold: " << m_LowerThreshold << '\n';
+  os << indent << "LowerThresholdIsSet: " << onOff(m_LowerThresholdIsSet) << '\n';
+  os << indent << "UpperThreshold: " << m_UpperThreshold << '\n';
+  os << indent << "UpperThresholdIsSet: " << onOff(m_UpperThresholdIsSet) << '\n';
+  os << indent << "Labels:";
+  for (const InputPixelType label : m_Labels)
+  {
+    os << ' ' << static_cast<PrintType>(label);
+  }
+  os << '\n';
+  os << indent << "MergeLabels: " << onOff(m_MergeLabels) << '\n';
+  os << indent << "LargestComponentOnly: " << onOff(m_LargestComponentOnly) << '\n';
+  os << indent << "MinimumComponentSize: " << m_MinimumComponentSize << '\n';
+  itkPrintSelfObjectMacro(Interpolator);
+  os << indent << "EffectiveDelta: " << m_EffectiveDelta << '\n';
+  os << indent << "TerminationReason: " << m_Statistics.terminationReason << '\n';
+  os << indent << "NumberOfComponents: " << m_Components.size() << '\n';
+  os << indent << "Warnings:\n";
+  for (const std::string & warning : m_Warnings)
+  {
+    os << indent.GetNextIndent() << warning << '\n';
+  }
+  os << indent << "PreparationSeconds: " << m_PreparationSeconds << '\n';
+  os << indent << "CopySeconds: " << m_CopySeconds << '\n';
+}
+} // end namespace itk
+
+#endif

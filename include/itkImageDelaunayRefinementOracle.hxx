@@ -1,0 +1,219 @@
+/*=========================================================================
+ *
+ *  Copyright The DelaunayRefinement Contributors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkImageDelaunayRefinementOracle_hxx
+#define itkImageDelaunayRefinementOracle_hxx
+
+#include "itkImageDelaunayRefinementOracle.h"
+
+#include "itkImageRegionIterator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace itk
+{
+template <typename TImage>
+ImageDelaunayRefinementOracle<TImage>::ImageDelaunayRefinementOracle(const ImageType *  image,
+                                                                     const ObjectType & object,
+                                                                     InterpolatorType * interpolator)
+  : m_Buffer(image->GetBufferPointer())
+  , m_Level(object.definition == ObjectType::DefinitionEnum::ISO_VALUE ? object.isoValue : 0.5)
+  , m_Start(image->GetBufferedRegion().GetIndex())
+{
+  const auto & size = image->GetBufferedRegion().GetSize();
+  m_Strides = { 1, size[0], size[0] * size[1] };
+  DelaunayRefinementVoxelMask mask({ static_cast<std::int32_t>(size[0]),
+                                     static_cast<std::int32_t>(size[1]),
+                                     static_cast<std::int32_t>(size[2]) });
+
+  const std::string interpolatorName =
+    interpolator == nullptr ? "LinearInterpolateImageFunction" : interpolator->GetNameOfClass();
+  ModelEnum model = object.definition == ObjectType::DefinitionEnum::ISO_VALUE ? ModelEnum::GREY : ModelEnum::INDICATOR;
+  if (interpolatorName == "NearestNeighborInterpolateImageFunction")
+  {
+    model = ModelEnum::NEAREST;
+  }
+  else if (interpolatorName != "LinearInterpolateImageFunction")
+  {
+    model = ModelEnum::FIELD;
+    m_Interpolator = interpolator;
+  }
+
+  WithPredicate(object, [&](const auto & isObject) {
+    for (std::int32_t z = 0; z < mask.GetSize()[2]; ++z)
+    {
+      for (std::int32_t y = 0; y < mask.GetSize()[1]; ++y)
+      {
+        const PixelType * row = m_Buffer + y * m_Strides[1] + z * m_Strides[2];
+        mask.SetRow(y, z, [&](std::int32_t x) { return isObject(row[x]); });
+      }
+    }
+  });
+  if (model == ModelEnum::FIELD)
+  {
+    this->PrepareField(image, object, mask);
+  }
+
+  DelaunayRefinementVoxelComponents components(mask);
+  const auto &                      infos = components.GetComponents();
+  if (!infos.empty() && (object.largestComponentOnly || object.minimumComponentSize > 1))
+  {
+    const auto largest = static_cast<std::size_t>(
+      std::max_element(infos.begin(),
+                       infos.end(),
+                       [](const auto & a, const auto & b) { return a.numberOfVoxels < b.numberOfVoxels; }) -
+      infos.begin());
+    std::vector<bool> isRemoved(infos.size());
+    for (std::size_t i = 0; i < infos.size(); ++i)
+    {
+      isRemoved[i] =
+        infos[i].numberOfVoxels < object.minimumComponentSize || (object.largestComponentOnly && i != largest);
+    }
+    components.Remove(isRemoved, mask);
+  }
+  this->Initialize(model, ComputeFrame(image), std::move(mask), std::move(components));
+}
+
+template <typename TImage>
+typename ImageDelaunayRefinementOracle<TImage>::FrameType
+ImageDelaunayRefinementOracle<TImage>::ComputeFrame(const ImageType * image)
+{
+  const auto & region = image->GetBufferedRegion();
+  typename ImageType::PointType start;
+  image->TransformIndexToPhysicalPoint(region.GetIndex(), start);
+  FrameType frame;
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    // Over the whole image, so that little is lost to rounding far from the origin.
+    auto index = region.GetIndex();
+    index[i] += static_cast<IndexValueType>(region.GetSize(i));
+    typename ImageType::PointType end;
+    image->TransformIndexToPhysicalPoint(index, end);
+    for (unsigned int j = 0; j < 3; ++j)
+    {
+      frame.axes[i][j] = (end[j] - start[j]) / static_cast<double>(region.GetSize(i));
+    }
+    frame.origin[i] = start[i];
+  }
+  return frame;
+}
+
+template <typename TImage>
+template <typename TAction>
+void
+ImageDelaunayRefinementOracle<TImage>::WithPredicate(const ObjectType & object, const TAction & action)
+{
+  using DefinitionEnum = typename ObjectType::DefinitionEnum;
+  switch (object.definition)
+  {
+    case DefinitionEnum::NON_ZERO:
+      action([](PixelType value) { return value != PixelType{ 0 }; });
+      break;
+    case DefinitionEnum::LABELS:
+      if (object.labels.size() == 1)
+      {
+        action([label = object.labels.front()](PixelType value) { return value == label; });
+      }
+      else
+      {
+        action([&labels = object.labels](PixelType value) {
+          return std::binary_search(labels.begin(), labels.end(), value);
+        });
+      }
+      break;
+    case DefinitionEnum::THRESHOLD:
+      action([lower = object.lower, upper = object.upper](PixelType value) {
+        const auto real = static_cast<double>(value);
+        return real >= lower && real <= upper;
+      });
+      break;
+    case DefinitionEnum::ISO_VALUE:
+      action([level = object.isoValue](PixelType value) { return static_cast<double>(value) >= level; });
+      break;
+  }
+}
+
+template <typename TImage>
+void
+ImageDelaunayRefinementOracle<TImage>::PrepareField(const ImageType *             image,
+                                                    const ObjectType &            object,
+                                                    DelaunayRefinementVoxelMask & mask)
+{
+  if (object.definition == ObjectType::DefinitionEnum::ISO_VALUE)
+  {
+    m_Interpolator->SetInputImage(image);
+  }
+  else
+  {
+    m_Indicator = ImageType::New();
+    m_Indicator->CopyInformation(image);
+    m_Indicator->SetRegions(image->GetBufferedRegion());
+    m_Indicator->Allocate();
+    PixelType * pixel = m_Indicator->GetBufferPointer();
+    for (std::int32_t z = 0; z < mask.GetSize()[2]; ++z)
+    {
+      for (std::int32_t y = 0; y < mask.GetSize()[1]; ++y)
+      {
+        for (std::int32_t x = 0; x < mask.GetSize()[0]; ++x)
+        {
+          *pixel++ = static_cast<PixelType>(mask.Get(x, y, z) ? 1 : 0);
+        }
+      }
+    }
+    m_Interpolator->SetInputImage(m_Indicator);
+  }
+  // B-splines keep the voxels' values; any other interpolator may change them.
+  if (std::string(m_Interpolator->GetNameOfClass()) != "BSplineInterpolateImageFunction")
+  {
+    for (std::int32_t z = 0; z < mask.GetSize()[2]; ++z)
+    {
+      for (std::int32_t y = 0; y < mask.GetSize()[1]; ++y)
+      {
+        mask.SetRow(y, z, [&](std::int32_t x) {
+          return this->IsInsideField({ static_cast<double>(x), static_cast<double>(y), static_cast<double>(z) });
+        });
+      }
+    }
+  }
+}
+
+template <typename TImage>
+double
+ImageDelaunayRefinementOracle<TImage>::GetVoxelValue(std::int32_t x, std::int32_t y, std::int32_t z) const
+{
+  // Infinite values would leave no number after interpolation.
+  constexpr double largest = 1e30;
+  const auto       value = static_cast<double>(m_Buffer[x + y * m_Strides[1] + z * m_Strides[2]]);
+  return std::clamp(value - m_Level, -largest, largest);
+}
+
+template <typename TImage>
+bool
+ImageDelaunayRefinementOracle<TImage>::IsInsideField(const PointType & position) const
+{
+  typename InterpolatorType::ContinuousIndexType index;
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    index[i] = static_cast<double>(m_Start[i]) + position[i];
+  }
+  return m_Interpolator->IsInsideBuffer(index) && m_Interpolator->EvaluateAtContinuousIndex(index) >= m_Level;
+}
+} // end namespace itk
+
+#endif
