@@ -1,0 +1,158 @@
+/*=========================================================================
+ *
+ *  Copyright The DelaunayRefinement Contributors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+
+#include "itkDelaunayRefinementEngine.h"
+
+#include "itkAnalyticOracles.h"
+#include "itkEngineRun.h"
+
+using namespace itk::DelaunayRefinementTest;
+
+namespace
+{
+const PointType   origin{ 0.0, 0.0, 0.0 };
+const TorusOracle torus(origin, 10.0, 4.0);
+
+std::size_t
+GetNumberOfVertices(const EngineRun & run, VertexKind kind)
+{
+  return run.statistics.vertices[static_cast<std::size_t>(kind)];
+}
+} // namespace
+
+TEST(DelaunayRefinementRules, R1SamplesTheSurface)
+{
+  // With the surface sampled at delta, a ball has at least its area over that of a disk of radius delta.
+  const EngineRun run = RunEngine(BallOracle(origin, 10.0), MakeParameters(2.0));
+  EXPECT_GE(run.GetInsertions(RefinementRule::R1), 100u);
+  EXPECT_EQ(GetNumberOfVertices(run, VertexKind::FEATURE),
+            run.GetInsertions(RefinementRule::R1) + run.GetInsertions(RefinementRule::R3));
+}
+
+TEST(DelaunayRefinementRules, R2FillsSpaceAroundTheSurface)
+{
+  const EngineRun run = RunEngine(torus, MakeParameters(2.0));
+  EXPECT_GT(run.GetInsertions(RefinementRule::R2), 0u);
+  EXPECT_GT(GetNumberOfVertices(run, VertexKind::FREE), 0u);
+  // Most tetrahedra of a sampled torus are intersecting.
+  EXPECT_LT(ComputeMaximumCircumradius(MakeCheckedMesh(run.result)), 2.0 * 2.0);
+}
+
+TEST(DelaunayRefinementRules, R3InsertsSurfaceCenters)
+{
+  const EngineRun run = RunEngine(torus, MakeParameters(2.0));
+  EXPECT_GT(run.GetInsertions(RefinementRule::R3), 0u);
+}
+
+TEST(DelaunayRefinementRules, R4SplitsSkinnyTetrahedra)
+{
+  auto parameters = MakeParameters(2.0);
+  parameters.radiusEdgeRatioBound = 1.0;
+  const EngineRun run = RunEngine(torus, parameters);
+  EXPECT_GT(run.GetInsertions(RefinementRule::R4), 0u);
+
+  parameters.radiusEdgeRatioBound = 100.0;
+  const EngineRun loose = RunEngine(torus, parameters);
+  EXPECT_EQ(loose.GetInsertions(RefinementRule::R4), 0u);
+  EXPECT_GT(ComputeMaximumRadiusEdgeRatio(MakeCheckedMesh(loose.result)), 1.0);
+}
+
+TEST(DelaunayRefinementRules, R4PrimeRemovesSlivers)
+{
+  auto            parameters = MakeParameters(2.0);
+  const EngineRun off = RunEngine(torus, parameters);
+  EXPECT_EQ(off.GetInsertions(RefinementRule::R4_PRIME), 0u);
+
+  parameters.minimumDihedralAngle = 10.0;
+  const EngineRun run = RunEngine(torus, parameters);
+  ASSERT_NO_FATAL_FAILURE(ExpectCompleted(run));
+  EXPECT_GT(run.GetInsertions(RefinementRule::R4_PRIME), 0u);
+  const CheckedMesh mesh = MakeCheckedMesh(run.result);
+  ExpectGuarantees(mesh);
+  EXPECT_LT(ComputeDihedralAngles(MakeCheckedMesh(off.result)).minimum, 10.0);
+  EXPECT_GE(ComputeDihedralAngles(mesh).minimum, 10.0);
+  // It is stopped where new edges would be shorter.
+  EXPECT_GT(ComputeShortestEdge(run.result), 0.249 * parameters.delta);
+}
+
+TEST(DelaunayRefinementRules, R4PrimeEndsForEveryAngle)
+{
+  auto parameters = MakeParameters(3.0);
+  parameters.minimumDihedralAngle = 59.0;
+  const EngineRun run = RunEngine(BallOracle(origin, 5.0), parameters);
+  ASSERT_NO_FATAL_FAILURE(ExpectCompleted(run));
+  ExpectGuarantees(MakeCheckedMesh(run.result));
+  EXPECT_GT(ComputeShortestEdge(run.result), 0.249 * parameters.delta);
+}
+
+TEST(DelaunayRefinementRules, CellSizeSplitsLargeTetrahedra)
+{
+  auto parameters = MakeParameters(2.0);
+  EXPECT_EQ(RunEngine(torus, parameters).GetInsertions(RefinementRule::CELL_SIZE), 0u);
+  parameters.cellSize = 2.0;
+  EXPECT_GT(RunEngine(torus, parameters).GetInsertions(RefinementRule::CELL_SIZE), 0u);
+}
+
+TEST(DelaunayRefinementRules, ShapeReplacesVerticesOfFlatTetrahedra)
+{
+  // The surface points of a symmetric octree lie on common spheres.
+  const EngineRun run = RunEngine(HollowBallOracle(origin, 5.0, 10.0), MakeParameters(1.0));
+  EXPECT_GT(run.GetInsertions(RefinementRule::SHAPE), 0u);
+  EXPECT_GT(ComputeMinimumRelativeVolume(MakeCheckedMesh(run.result)), MinimumRelativeVolume);
+}
+
+TEST(DelaunayRefinementRules, FreeVerticesMakeRoomForFeatureVertices)
+{
+  auto parameters = MakeParameters(2.0);
+  parameters.cellSize = 2.0;
+  const EngineRun run = RunEngine(torus, parameters);
+  EXPECT_GT(run.statistics.removals, 0u);
+}
+
+TEST(DelaunayRefinementRules, EveryEncroachmentCaseFires)
+{
+  const EngineRun run = RunEngine(torus, MakeParameters(2.0));
+  EXPECT_GT(run.GetEncroachments(EncroachmentCase::E1), 0u);
+  EXPECT_GT(run.GetEncroachments(EncroachmentCase::E2), 0u);
+  EXPECT_GT(run.GetEncroachments(EncroachmentCase::E3), 0u);
+  EXPECT_GT(run.statistics.encroachmentRemovals, 0u);
+
+  // E1 and E3 put vertices on edges of the box, where nothing removes them; E2 on its faces.
+  constexpr std::size_t boxCorners = 8;
+  EXPECT_EQ(GetNumberOfVertices(run, VertexKind::BOX_EDGE),
+            boxCorners + run.GetEncroachments(EncroachmentCase::E1) + run.GetEncroachments(EncroachmentCase::E3));
+  EXPECT_GT(GetNumberOfVertices(run, VertexKind::BOX), 0u);
+  EXPECT_LE(GetNumberOfVertices(run, VertexKind::BOX), run.GetEncroachments(EncroachmentCase::E2));
+}
+
+TEST(DelaunayRefinementRules, ThinPartsDoNotMakeShortEdges)
+{
+  // Parts thinner than delta, sampled by R1 and R3 in turns.
+  for (const double delta : { 1.0, 1.5, 2.0, 3.0 })
+  {
+    const EngineRun rod = RunEngine(PlateOracle(origin, { 10.0, 1.0, 1.0 }), MakeParameters(delta));
+    const EngineRun ring = RunEngine(TorusOracle(origin, 10.0, 0.8), MakeParameters(delta));
+    for (const EngineRun * run : { &rod, &ring })
+    {
+      ASSERT_NO_FATAL_FAILURE(ExpectCompleted(*run));
+      const auto & lowered = run->statistics.loweredDeltas;
+      EXPECT_GT(ComputeShortestEdge(run->result), 0.249 * (lowered.empty() ? delta : lowered[0].second))
+        << "at delta " << delta;
+    }
+  }
+}
