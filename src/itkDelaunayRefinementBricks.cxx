@@ -42,7 +42,7 @@ DelaunayRefinementBricks::DelaunayRefinementBricks(const DelaunayRefinementVoxel
       for (std::size_t i = 0; i < words.size(); ++i)
       {
         // Bricks are nibbles of the words.
-        for (std::int32_t nibble = 0; words[i] >> (4 * nibble) != 0; ++nibble)
+        for (std::int32_t nibble = 0; nibble < 16 && words[i] >> (4 * nibble) != 0; ++nibble)
         {
           const std::uint64_t bits = words[i] >> (4 * nibble) & 15u;
           if (bits != 0)

@@ -40,6 +40,9 @@ constexpr double MostDefaultTetrahedra = 3e5;
 /** The default delta is at least this many voxels. */
 constexpr double DefaultDeltaInVoxels = 1.5;
 
+/** Components are not sampled more coarsely than this, over their inscribed radius. */
+constexpr double DeltaPerInscribedRadius = 1.5;
+
 /** No component gets a delta below this many voxels at the start. */
 constexpr double LeastDeltaInVoxels = 0.1;
 } // namespace
@@ -190,7 +193,7 @@ DelaunayRefinementLatticeOracle::ComputeComponentDelta(const DelaunayRefinementC
                                                        double                              delta) const
 {
   const double leastSpacing = std::sqrt(std::min({ m_Gram[0][0], m_Gram[1][1], m_Gram[2][2] }));
-  return std::min(delta, std::max(component.inscribedRadius, LeastDeltaInVoxels * leastSpacing));
+  return std::min(delta, std::max(DeltaPerInscribedRadius * component.inscribedRadius, LeastDeltaInVoxels * leastSpacing));
 }
 
 double

@@ -63,26 +63,27 @@ DelaunayRefinementRules::GetDeltaOfFeatures(const std::array<IndexType, 4> & ver
 bool
 DelaunayRefinementRules::MayFireR2(IndexType cell) const
 {
-  const double delta = m_LocalDelta.GetMinimum();
+  const double delta = m_LocalDelta.GetMaximum();
   return m_Complex.GetState(cell).ball.squaredRadius >= 4.0 * delta * delta * SquaredMargin;
 }
 
 bool
 DelaunayRefinementRules::FiresR2(IndexType cell) const
 {
-  const auto & ball = m_Complex.GetState(cell).ball;
-  double       delta = this->GetDeltaOfFeatures(m_Complex.GetTriangulation().GetCell(cell).vertices, 4);
-  if (delta == Infinity)
+  if (!this->MayFireR2(cell))
   {
-    PointType    closest;
-    const double radius = std::sqrt(ball.squaredRadius);
-    if (!m_Oracle.FindClosestSurfacePoint(ball.center, radius, closest))
-    {
-      return false;
-    }
-    delta = m_LocalDelta.GetAt(closest);
+    return false;
   }
-  return ball.squaredRadius >= 4.0 * delta * delta * SquaredMargin;
+  for (const IndexType vertex : m_Complex.GetTriangulation().GetCell(cell).vertices)
+  {
+    if (m_Complex.IsFeature(vertex))
+    {
+      return true;
+    }
+  }
+  const auto & ball = m_Complex.GetState(cell).ball;
+  PointType    closest;
+  return m_Oracle.FindClosestSurfacePoint(ball.center, std::sqrt(ball.squaredRadius), closest);
 }
 
 double

@@ -48,8 +48,8 @@ public:
   MayFireR2(IndexType cell) const;
 
   /** R2 (section III): an intersecting tetrahedron with r >= 2 delta; proposes c(t). New edges are at least 2 delta
-   * long, so it ends. Delta is that of the nearest surface known: of t's feature vertices, else of the surface point
-   * closest to c(t). */
+   * long, so it ends. Delta is the same everywhere here, also around components with a lower one: all that R2 gives is
+   * Lemma 4, and there R1 gives more than that. */
   bool
   FiresR2(IndexType cell) const;
 
