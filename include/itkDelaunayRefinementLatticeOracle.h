@@ -87,6 +87,9 @@ public:
   void
   SplitSurfacePatch(const SurfacePatch & patch, std::vector<SurfacePatch> & parts) const override;
 
+  bool
+  FindPointOfPatch(const SurfacePatch & patch, PointType & point) const override;
+
   ComponentType
   GetNumberOfComponents() const override;
 
@@ -185,8 +188,13 @@ private:
                     bool              isInside,
                     double &          share) const;
 
+  /** A brick (level 0), or an eighth of a patch of the level before; false if no surface is in it. */
   bool
   MakePatch(const IndexType & index, unsigned int level, SurfacePatch & patch) const;
+
+  /** The cells with surface in a patch larger than a cell: bits of its brick. */
+  std::uint64_t
+  GetCellsOfPatch(const IndexType & index, unsigned int level) const;
 
   class ClosestSearch;
 

@@ -54,10 +54,9 @@ public:
   /** A piece of the surface. */
   struct SurfacePatch
   {
-    /** A point of the surface. */
-    PointType point;
-    /** The whole piece lies within this distance of \c point. */
-    double radius;
+    /** The whole piece lies within \c radius of \c center. */
+    PointType center;
+    double    radius;
     /** Which piece it is, for the oracle. */
     std::array<std::int32_t, 3> index;
     std::uint8_t level;
@@ -93,6 +92,10 @@ public:
   /** Appends patches that together cover what \c patch covers, each at most about half as large. */
   virtual void
   SplitSurfacePatch(const SurfacePatch & patch, std::vector<SurfacePatch> & parts) const = 0;
+
+  /** Finds a point of the surface in the ball of a patch; false if the patch turns out to hold none. */
+  virtual bool
+  FindPointOfPatch(const SurfacePatch & patch, PointType & point) const = 0;
 
   /** Number of components of the object: at least 1 unless it is empty. */
   virtual ComponentType

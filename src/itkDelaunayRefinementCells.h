@@ -117,9 +117,16 @@ private:
       share = low;
       return true;
     }
-    if (!(differs(b[1]) || differs(b[2]) || differs(b[3])))
+    const unsigned int change = (differs(b[1]) ? 1u : 0u) | (differs(b[2]) ? 2u : 0u) | (differs(b[3]) ? 4u : 0u);
+    if (change == 0)
     {
       return false;
+    }
+    if (change == 4u || change == 6u || change == 7u)
+    {
+      // The coefficients change sign once, and so does the cubic.
+      share = low + (high - low) * FindOnlyChange(b);
+      return true;
     }
     if (high - low < narrowest)
     {
@@ -135,6 +142,41 @@ private:
     const double half = 0.5 * (low + high);
     return FindFirstChange({ b[0], ab, abc, middle }, isInside, low, half, share) ||
            FindFirstChange({ middle, bcd, cd, b[3] }, isInside, half, high, share);
+  }
+
+  /** The root of a cubic with ends of different signs, by regula falsi in the Illinois way. */
+  static double
+  FindOnlyChange(const std::array<double, 4> & b)
+  {
+    constexpr double       precision = 1e-9;
+    constexpr unsigned int mostSteps = 60;
+    double                 low = 0.0;
+    double                 high = 1.0;
+    double                 valueLow = b[0];
+    double                 valueHigh = b[3];
+    for (unsigned int step = 0; step < mostSteps && high - low > precision; ++step)
+    {
+      const double s = (low * valueHigh - high * valueLow) / (valueHigh - valueLow);
+      const double t = 1.0 - s;
+      const double value = t * t * (t * b[0] + 3.0 * s * b[1]) + s * s * (3.0 * t * b[2] + s * b[3]);
+      if (std::abs(value) < precision * std::abs(b[3] - b[0]))
+      {
+        return s;
+      }
+      if ((value >= 0.0) == (b[0] >= 0.0))
+      {
+        low = s;
+        valueLow = value;
+        valueHigh *= 0.5;
+      }
+      else
+      {
+        high = s;
+        valueHigh = value;
+        valueLow *= 0.5;
+      }
+    }
+    return high;
   }
 
   double m_Constant;

@@ -168,6 +168,8 @@ private:
   DelaunayRefinementQueue                          m_R4Queue{};
   std::vector<PointType>                           m_R1Points{};
   std::vector<IndexType>                           m_Found{};
+  std::vector<std::uint32_t>                       m_ExaminedIn{};
+  std::uint32_t                                    m_NumberOfExaminations{ 0 };
   std::mt19937_64                                  m_Random{};
   bool                                             m_IsSampleOpen{ true };
   TerminationReason                                m_Reason{ TerminationReason::COMPLETED };
@@ -278,6 +280,8 @@ void
 DelaunayRefinementEngine::Impl::Examine(const std::vector<IndexType> & cells)
 {
   const auto & triangulation = m_Complex->GetTriangulation();
+  m_ExaminedIn.resize(triangulation.GetNumberOfCellIndexes(), 0);
+  ++m_NumberOfExaminations;
   for (const IndexType cell : cells)
   {
     if (triangulation.IsInfinite(cell))
@@ -292,10 +296,12 @@ DelaunayRefinementEngine::Impl::Examine(const std::vector<IndexType> & cells)
     {
       m_R4Queue.Push(triangulation, cell);
     }
+    m_ExaminedIn[cell] = m_NumberOfExaminations;
     for (unsigned int i = 0; i < 4; ++i)
     {
-      // A facet between two new cells may be tested twice: the second time finds what the first left to do.
-      if (m_Rules->MayFireR3(cell, i))
+      // A facet between two new cells once, when the first of them has its turn.
+      if (m_ExaminedIn[triangulation.GetCell(cell).neighbors[i]] != m_NumberOfExaminations &&
+          m_Rules->MayFireR3(cell, i))
       {
         m_R3Queue.Push(triangulation, cell, i);
       }

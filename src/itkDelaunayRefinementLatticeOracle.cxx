@@ -620,55 +620,101 @@ DelaunayRefinementLatticeOracle::SplitSurfacePatch(const SurfacePatch & patch, s
   }
 }
 
+std::uint64_t
+DelaunayRefinementLatticeOracle::GetCellsOfPatch(const IndexType & index, unsigned int level) const
+{
+  const unsigned int shift = CellLevel - level;
+  const std::int32_t extent = (1 << shift) - 1;
+  const IndexType    first{ (index[0] << shift) & 3, (index[1] << shift) & 3, (index[2] << shift) & 3 };
+  const IndexType    last{ first[0] + extent, first[1] + extent, first[2] + extent };
+  return m_Bricks->GetCells({ index[0] >> level, index[1] >> level, index[2] >> level }) &
+         DelaunayRefinementBricks::GetBits(first, last);
+}
+
 bool
 DelaunayRefinementLatticeOracle::MakePatch(const IndexType & index, unsigned int level, SurfacePatch & patch) const
 {
-  patch.index = index;
-  patch.level = static_cast<std::uint8_t>(level);
-  const PointType random = Scatter(index, level);
-  IndexType       cell;
-  PointType       corner;
-  PointType       opposite;
-  PointType       local{};
-  double          size = 1.0;
+  const double size = std::ldexp(DelaunayRefinementBricks::BrickSize, -static_cast<int>(level));
+  const double half = 0.5 * size;
+  PointType    center{ index[0] * size + half, index[1] * size + half, index[2] * size + half };
+  PointType    extents{ half, half, half };
   if (level < CellLevel)
   {
-    // A brick, or an eighth of it: some cell in it, and the bounds of all.
-    const unsigned int shift = CellLevel - level;
-    const IndexType    brick{ index[0] >> level, index[1] >> level, index[2] >> level };
-    const IndexType    first{ (index[0] << shift) & 3, (index[1] << shift) & 3, (index[2] << shift) & 3 };
-    const std::int32_t extent = (1 << shift) - 1;
-    const IndexType    last{ first[0] + extent, first[1] + extent, first[2] + extent };
-    const std::uint64_t active = m_Bricks->GetCells(brick) & DelaunayRefinementBricks::GetBits(first, last);
+    const std::uint64_t active = this->GetCellsOfPatch(index, level);
     if (active == 0)
     {
       return false;
     }
-    std::array<std::int32_t, 64> cells;
+    // The bounds of the cells with surface.
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      constexpr std::uint64_t slices[3][4] = {
+        { 0x1111111111111111u, 0x2222222222222222u, 0x4444444444444444u, 0x8888888888888888u },
+        { 0x000F000F000F000Fu, 0x00F000F000F000F0u, 0x0F000F000F000F00u, 0xF000F000F000F000u },
+        { 0x000000000000FFFFu, 0x00000000FFFF0000u, 0x0000FFFF00000000u, 0xFFFF000000000000u }
+      };
+      std::int32_t low = 0;
+      std::int32_t high = 3;
+      while (!(active & slices[i][low]))
+      {
+        ++low;
+      }
+      while (!(active & slices[i][high]))
+      {
+        --high;
+      }
+      const std::int32_t brickStart = index[i] >> level << CellLevel;
+      extents[i] = 0.5 * (high + 1 - low);
+      center[i] = brickStart + low + extents[i];
+    }
+  }
+  else
+  {
+    const unsigned int shift = level - CellLevel;
+    const IndexType    cell{ index[0] >> shift, index[1] >> shift, index[2] >> shift };
+    if (!m_Bricks->IsActiveCell(cell))
+    {
+      return false;
+    }
+    const PointType local{ index[0] * size - cell[0], index[1] * size - cell[1], index[2] * size - cell[2] };
+    if (shift > 0 &&
+        !this->VisitCell(cell, [&](const auto & content) { return content.MayIntersect(local, size); }))
+    {
+      return false;
+    }
+  }
+  patch.center = this->ToPhysical(center);
+  patch.radius = this->GetGreatestLength(extents);
+  patch.index = index;
+  patch.level = static_cast<std::uint8_t>(level);
+  return true;
+}
+
+bool
+DelaunayRefinementLatticeOracle::FindPointOfPatch(const SurfacePatch & patch, PointType & point) const
+{
+  const unsigned int level = patch.level;
+  const PointType    random = Scatter(patch.index, level);
+  IndexType          cell;
+  PointType          local{};
+  double             size = 1.0;
+  if (level < CellLevel)
+  {
+    // Some cell of those with surface.
+    const std::uint64_t          active = this->GetCellsOfPatch(patch.index, level);
+    std::array<std::int32_t, 64> bits;
     std::int32_t                 number = 0;
-    IndexType                    low = last;
-    IndexType                    high = first;
     for (std::int32_t bit = 0; bit < 64; ++bit)
     {
       if (active >> bit & 1u)
       {
-        cells[number++] = bit;
-        const IndexType within{ bit & 3, bit >> 2 & 3, bit >> 4 };
-        for (unsigned int i = 0; i < 3; ++i)
-        {
-          low[i] = std::min(low[i], within[i]);
-          high[i] = std::max(high[i], within[i]);
-        }
+        bits[number++] = bit;
       }
     }
-    const std::int32_t chosen = cells[static_cast<std::int32_t>(random[0] * number)];
-    const IndexType    within{ chosen & 3, chosen >> 2 & 3, chosen >> 4 };
-    for (unsigned int i = 0; i < 3; ++i)
-    {
-      cell[i] = 4 * brick[i] + within[i];
-      corner[i] = 4 * brick[i] + low[i];
-      opposite[i] = 4 * brick[i] + high[i] + 1;
-    }
+    const std::int32_t chosen = bits[static_cast<std::int32_t>(random[0] * number)];
+    cell = { (patch.index[0] >> level << CellLevel) + (chosen & 3),
+             (patch.index[1] >> level << CellLevel) + (chosen >> 2 & 3),
+             (patch.index[2] >> level << CellLevel) + (chosen >> 4) };
   }
   else
   {
@@ -676,38 +722,18 @@ DelaunayRefinementLatticeOracle::MakePatch(const IndexType & index, unsigned int
     size = std::ldexp(1.0, -static_cast<int>(shift));
     for (unsigned int i = 0; i < 3; ++i)
     {
-      cell[i] = index[i] >> shift;
-      corner[i] = index[i] * size;
-      opposite[i] = corner[i] + size;
-      local[i] = corner[i] - cell[i];
-    }
-    if (!m_Bricks->IsActiveCell(cell))
-    {
-      return false;
+      cell[i] = patch.index[i] >> shift;
+      local[i] = patch.index[i] * size - cell[i];
     }
   }
-  PointType  found;
-  const bool isThere = this->VisitCell(cell, [&](const auto & content) {
-    return content.MayIntersect(local, size) &&
-           FindSurfacePointInCube(
-             content,
-             local,
-             size,
-             { local[0] + random[0] * size, local[1] + random[1] * size, local[2] + random[2] * size },
-             found);
-  });
-  if (!isThere)
+  const PointType start{ local[0] + random[0] * size, local[1] + random[1] * size, local[2] + random[2] * size };
+  PointType       found;
+  if (!this->VisitCell(
+        cell, [&](const auto & content) { return FindSurfacePointInCube(content, local, size, start, found); }))
   {
     return false;
   }
-  PointType extents;
-  for (unsigned int i = 0; i < 3; ++i)
-  {
-    found[i] += cell[i];
-    extents[i] = std::max(opposite[i] - found[i], found[i] - corner[i]);
-  }
-  patch.point = this->ToPhysical(found);
-  patch.radius = this->GetGreatestLength(extents);
+  point = this->ToPhysical(PointType{ found[0] + cell[0], found[1] + cell[1], found[2] + cell[2] });
   return true;
 }
 

@@ -23,6 +23,8 @@ namespace itk
 {
 namespace
 {
+constexpr std::uint32_t NotLowered = std::numeric_limits<std::uint32_t>::max();
+
 bool
 IsWithin(const DelaunayRefinementOracle::BoundsType & bounds, const DelaunayRefinementPoint & point, double margin)
 {
@@ -40,8 +42,10 @@ IsWithin(const DelaunayRefinementOracle::BoundsType & bounds, const DelaunayRefi
 DelaunayRefinementLocalDelta::DelaunayRefinementLocalDelta(const DelaunayRefinementOracle &     oracle,
                                                            const DelaunayRefinementParameters & parameters)
   : m_Oracle(oracle)
+  , m_Bounds(oracle.GetSurfaceBounds())
   , m_Delta(parameters.delta)
   , m_Minimum(parameters.delta)
+  , m_Places(oracle.GetNumberOfComponents(), NotLowered)
 {
   for (std::size_t i = 0; i < parameters.componentDelta.size(); ++i)
   {
@@ -49,14 +53,30 @@ DelaunayRefinementLocalDelta::DelaunayRefinementLocalDelta(const DelaunayRefinem
   }
 }
 
+DelaunayRefinementLocalDelta::BoxIndexType
+DelaunayRefinementLocalDelta::FindBox(const PointType & point, double offset) const
+{
+  BoxIndexType box;
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    const double share = (point[i] + offset - m_Bounds.minimum[i]) / (m_Bounds.maximum[i] - m_Bounds.minimum[i]);
+    box[i] = static_cast<std::int32_t>(std::clamp(share * BoxesPerAxis, 0.0, BoxesPerAxis - 1.0));
+  }
+  return box;
+}
+
 double
 DelaunayRefinementLocalDelta::GetAt(const PointType & point) const
 {
-  for (const LoweredType & lowered : m_Lowered)
+  if (!m_Boxes.empty())
   {
-    if (IsWithin(lowered.bounds, point, 0.0))
+    const BoxIndexType box = this->FindBox(point, 0.0);
+    for (const std::uint32_t place : m_Boxes[ToOffset(box[0], box[1], box[2])])
     {
-      return this->GetOfComponent(m_Oracle.FindComponent(point));
+      if (IsWithin(m_Lowered[place].bounds, point, 0.0))
+      {
+        return this->GetOfComponent(m_Oracle.FindComponent(point));
+      }
     }
   }
   return m_Delta;
@@ -66,11 +86,26 @@ double
 DelaunayRefinementLocalDelta::GetMinimumWithin(const PointType & point, double radius) const
 {
   double minimum = m_Delta;
-  for (const LoweredType & lowered : m_Lowered)
+  if (!m_Boxes.empty())
   {
-    if (lowered.delta < minimum && IsWithin(lowered.bounds, point, radius))
+    const BoxIndexType first = this->FindBox(point, -radius);
+    const BoxIndexType last = this->FindBox(point, radius);
+    for (std::int32_t z = first[2]; z <= last[2]; ++z)
     {
-      minimum = lowered.delta;
+      for (std::int32_t y = first[1]; y <= last[1]; ++y)
+      {
+        for (std::int32_t x = first[0]; x <= last[0]; ++x)
+        {
+          for (const std::uint32_t place : m_Boxes[ToOffset(x, y, z)])
+          {
+            const LoweredType & lowered = m_Lowered[place];
+            if (lowered.delta < minimum && IsWithin(lowered.bounds, point, radius))
+            {
+              minimum = lowered.delta;
+            }
+          }
+        }
+      }
     }
   }
   return minimum;
@@ -79,11 +114,7 @@ DelaunayRefinementLocalDelta::GetMinimumWithin(const PointType & point, double r
 double
 DelaunayRefinementLocalDelta::GetOfComponent(ComponentType component) const
 {
-  const auto found = std::lower_bound(m_Lowered.begin(),
-                                      m_Lowered.end(),
-                                      component,
-                                      [](const LoweredType & a, ComponentType b) { return a.component < b; });
-  return found != m_Lowered.end() && found->component == component ? found->delta : m_Delta;
+  return m_Places[component] == NotLowered ? m_Delta : m_Lowered[m_Places[component]].delta;
 }
 
 void
@@ -93,28 +124,40 @@ DelaunayRefinementLocalDelta::Lower(ComponentType component, double delta)
   {
     return;
   }
-  const auto place = std::lower_bound(m_Lowered.begin(),
-                                      m_Lowered.end(),
-                                      component,
-                                      [](const LoweredType & a, ComponentType b) { return a.component < b; });
-  if (place != m_Lowered.end() && place->component == component)
-  {
-    place->delta = delta;
-  }
-  else
-  {
-    m_Lowered.insert(place, { component, delta, m_Oracle.GetComponentBounds(component) });
-  }
   m_Minimum = std::min(m_Minimum, delta);
+  if (m_Places[component] != NotLowered)
+  {
+    m_Lowered[m_Places[component]].delta = delta;
+    return;
+  }
+  const auto place = static_cast<std::uint32_t>(m_Lowered.size());
+  m_Places[component] = place;
+  m_Lowered.push_back({ component, delta, m_Oracle.GetComponentBounds(component) });
+  m_Boxes.resize(ToOffset(BoxesPerAxis - 1, BoxesPerAxis - 1, BoxesPerAxis - 1) + 1);
+  const BoxIndexType first = this->FindBox(m_Lowered.back().bounds.minimum, 0.0);
+  const BoxIndexType last = this->FindBox(m_Lowered.back().bounds.maximum, 0.0);
+  for (std::int32_t z = first[2]; z <= last[2]; ++z)
+  {
+    for (std::int32_t y = first[1]; y <= last[1]; ++y)
+    {
+      for (std::int32_t x = first[0]; x <= last[0]; ++x)
+      {
+        m_Boxes[ToOffset(x, y, z)].push_back(place);
+      }
+    }
+  }
 }
 
 std::vector<std::pair<DelaunayRefinementLocalDelta::ComponentType, double>>
 DelaunayRefinementLocalDelta::GetLowered() const
 {
   std::vector<std::pair<ComponentType, double>> lowered;
-  for (const LoweredType & entry : m_Lowered)
+  for (ComponentType component = 0; component < m_Places.size(); ++component)
   {
-    lowered.emplace_back(entry.component, entry.delta);
+    if (m_Places[component] != NotLowered)
+    {
+      lowered.emplace_back(component, this->GetOfComponent(component));
+    }
   }
   return lowered;
 }

@@ -69,7 +69,7 @@ public:
   void
   Lower(ComponentType component, double delta);
 
-  /** The components with a lower delta, and their deltas, ascending. */
+  /** The components with a lower delta, and their deltas, by component. */
   std::vector<std::pair<ComponentType, double>>
   GetLowered() const;
 
@@ -81,10 +81,31 @@ private:
     DelaunayRefinementOracle::BoundsType bounds;
   };
 
-  const DelaunayRefinementOracle & m_Oracle;
-  double                           m_Delta;
-  double                           m_Minimum;
-  std::vector<LoweredType>         m_Lowered{};
+  /** Boxes of a coarse grid over the surface, to find the components near a point. */
+  using BoxIndexType = std::array<std::int32_t, 3>;
+  static constexpr std::int32_t BoxesPerAxis = 32;
+
+  BoxIndexType
+  FindBox(const PointType & point, double offset) const;
+
+  static std::size_t
+  ToOffset(std::int32_t x, std::int32_t y, std::int32_t z)
+  {
+    return (static_cast<std::size_t>(z) * BoxesPerAxis + y) * BoxesPerAxis + x;
+  }
+
+  const DelaunayRefinementOracle &     m_Oracle;
+  DelaunayRefinementOracle::BoundsType m_Bounds;
+  double                               m_Delta;
+  double                               m_Minimum;
+  /** In the order in which they were lowered first. */
+  std::vector<LoweredType> m_Lowered{};
+
+  /** The place of each component in m_Lowered, or one beyond all. */
+  std::vector<std::uint32_t> m_Places;
+
+  /** For each box the components that reach into it, by their places in m_Lowered; empty if none is lowered. */
+  std::vector<std::vector<std::uint32_t>> m_Boxes{};
 };
 } // end namespace itk
 

@@ -28,24 +28,22 @@ constexpr std::int32_t Empty = -1;
 
 DelaunayRefinementPointGrid::DelaunayRefinementPointGrid(double cubeSize)
   : m_InverseSize(1.0 / cubeSize)
-  , m_Slots(1024, EntryType{ {}, Empty })
+  , m_Slots(1024, EntryType{ 0, Empty })
 {}
 
-std::int32_t
-DelaunayRefinementPointGrid::ToCube(double coordinate) const
+std::uint64_t
+DelaunayRefinementPointGrid::ToIndex(double coordinate) const
 {
-  // Far cubes fold onto the last one: slower there, never wrong.
-  return static_cast<std::int32_t>(std::clamp(std::floor(coordinate * m_InverseSize), -2e9, 2e9));
+  // Far cubes fold onto the first and the last one: slower there, never wrong.
+  constexpr double middle = 1 << 20;
+  return static_cast<std::uint64_t>(std::clamp(coordinate * m_InverseSize + middle, 0.0, 2.0 * middle - 1.0));
 }
 
 std::size_t
-DelaunayRefinementPointGrid::FindSlot(const CubeType & cube) const
+DelaunayRefinementPointGrid::FindSlot(CubeType cube) const
 {
-  const std::uint64_t key = static_cast<std::uint32_t>(cube[0]) * 0x9E3779B97F4A7C15ull ^
-                            static_cast<std::uint32_t>(cube[1]) * 0xC2B2AE3D27D4EB4Full ^
-                            static_cast<std::uint32_t>(cube[2]) * 0x165667B19E3779F9ull;
   const std::size_t mask = m_Slots.size() - 1;
-  std::size_t       slot = (key ^ (key >> 29)) & mask;
+  std::size_t       slot = ((cube * 0x9E3779B97F4A7C15ull) >> 32) & mask;
   while (m_Slots[slot].last != Empty && m_Slots[slot].cube != cube)
   {
     slot = (slot + 1) & mask;
@@ -56,7 +54,7 @@ DelaunayRefinementPointGrid::FindSlot(const CubeType & cube) const
 void
 DelaunayRefinementPointGrid::Grow()
 {
-  std::vector<EntryType> old(m_Slots.size() * 2, EntryType{ {}, Empty });
+  std::vector<EntryType> old(m_Slots.size() * 2, EntryType{ 0, Empty });
   old.swap(m_Slots);
   for (const EntryType & entry : old)
   {
@@ -74,7 +72,7 @@ DelaunayRefinementPointGrid::Add(const PointType & point)
   {
     Grow();
   }
-  const CubeType cube{ ToCube(point[0]), ToCube(point[1]), ToCube(point[2]) };
+  const CubeType cube = ToCube(ToIndex(point[0]), ToIndex(point[1]), ToIndex(point[2]));
   EntryType &    entry = m_Slots[FindSlot(cube)];
   m_Used += entry.last == Empty;
   m_Nodes.push_back({ point, entry.last });
@@ -84,23 +82,23 @@ DelaunayRefinementPointGrid::Add(const PointType & point)
 double
 DelaunayRefinementPointGrid::FindSquaredDistance(const PointType & point, double radius, double enough) const
 {
-  CubeType first;
-  CubeType last;
+  std::array<std::uint64_t, 3> first;
+  std::array<std::uint64_t, 3> last;
   for (int i = 0; i < 3; ++i)
   {
-    first[i] = ToCube(point[i] - radius);
-    last[i] = ToCube(point[i] + radius);
+    first[i] = ToIndex(point[i] - radius);
+    last[i] = ToIndex(point[i] + radius);
   }
   const double squaredEnough = enough * enough;
   double       best = radius * radius;
   bool         found = false;
-  for (std::int32_t z = first[2]; z <= last[2]; ++z)
+  for (std::uint64_t z = first[2]; z <= last[2]; ++z)
   {
-    for (std::int32_t y = first[1]; y <= last[1]; ++y)
+    for (std::uint64_t y = first[1]; y <= last[1]; ++y)
     {
-      for (std::int32_t x = first[0]; x <= last[0]; ++x)
+      for (std::uint64_t x = first[0]; x <= last[0]; ++x)
       {
-        for (std::int32_t node = m_Slots[FindSlot({ x, y, z })].last; node != Empty; node = m_Nodes[node].previous)
+        for (std::int32_t node = m_Slots[FindSlot(ToCube(x, y, z))].last; node != Empty; node = m_Nodes[node].previous)
         {
           const double squared = DelaunayRefinementGeometry::SquaredDistance(point, m_Nodes[node].point);
           if (squared <= best)

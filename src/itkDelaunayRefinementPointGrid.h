@@ -44,7 +44,8 @@ public:
   FindSquaredDistance(const PointType & point, double radius, double enough) const;
 
 private:
-  using CubeType = std::array<std::int32_t, 3>;
+  /** The indexes of a cube along the three axes, 21 bits each. */
+  using CubeType = std::uint64_t;
 
   struct EntryType
   {
@@ -58,12 +59,18 @@ private:
     std::int32_t previous;
   };
 
-  std::int32_t
-  ToCube(double coordinate) const;
+  std::uint64_t
+  ToIndex(double coordinate) const;
+
+  static CubeType
+  ToCube(std::uint64_t x, std::uint64_t y, std::uint64_t z)
+  {
+    return x | y << 21 | z << 42;
+  }
 
   /** The slot of the cube, or the empty one where it belongs. */
   std::size_t
-  FindSlot(const CubeType & cube) const;
+  FindSlot(CubeType cube) const;
 
   void
   Grow();

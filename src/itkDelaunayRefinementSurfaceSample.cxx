@@ -28,11 +28,14 @@ namespace
 /** R1 inserts points at this share of delta from others, so that what is left over is certainly within delta. */
 constexpr double Separation = 0.999;
 
+/** Edge of the cubes in which vertices are looked up, over delta. */
+constexpr double CubeSize = 2.0;
+
 /** Patches smaller than this share of delta are judged by their point alone. */
 constexpr double SmallestPatch = 1e-5;
 
-/** Patches are split for seeds until they are this share of delta. */
-constexpr double SeedPatch = 0.7;
+/** Seeds are looked for in patches down to this share of delta. */
+constexpr double SmallPatch = 0.3;
 } // namespace
 
 DelaunayRefinementSurfaceSample::DelaunayRefinementSurfaceSample(const DelaunayRefinementOracle &     oracle,
@@ -41,7 +44,7 @@ DelaunayRefinementSurfaceSample::DelaunayRefinementSurfaceSample(const DelaunayR
   : m_Oracle(oracle)
   , m_LocalDelta(localDelta)
   , m_RoundToFloat(roundToFloat)
-  , m_Grid(localDelta.GetMaximum())
+  , m_Grid(CubeSize * localDelta.GetMaximum())
   , m_Open(oracle.GetSurfacePatches())
 {}
 
@@ -56,28 +59,36 @@ DelaunayRefinementSurfaceSample::Shuffle(std::vector<PatchType> & patches)
   }
 }
 
+double
+DelaunayRefinementSurfaceSample::GetLeastDelta(const PatchType & patch) const
+{
+  if (m_LocalDelta.IsUniform())
+  {
+    return m_LocalDelta.GetMaximum();
+  }
+  // A small patch is held to belong to one component.
+  return patch.radius < SmallPatch * m_LocalDelta.GetMinimum()
+           ? m_LocalDelta.GetAt(patch.center)
+           : m_LocalDelta.GetMinimumWithin(patch.center, patch.radius);
+}
+
 DelaunayRefinementSurfaceSample::PatchState
 DelaunayRefinementSurfaceSample::Visit(const PatchType & patch, double spacing, std::vector<PointType> & points)
 {
-  double least = m_LocalDelta.GetMaximum();
-  double own = least;
-  if (!m_LocalDelta.IsUniform())
-  {
-    own = m_LocalDelta.GetAt(patch.point);
-    least = patch.radius < SeedPatch * m_LocalDelta.GetMinimum()
-              ? own
-              : m_LocalDelta.GetMinimumWithin(patch.point, patch.radius);
-  }
-  const double reach = least - patch.radius;
-  const double apart = spacing * own;
-  const double squared = m_Grid.FindSquaredDistance(patch.point, std::max(reach, apart), reach);
-  if (reach > 0.0 && squared <= reach * reach)
+  const double reach = this->GetLeastDelta(patch) - patch.radius;
+  if (reach > 0.0 && m_Grid.FindSquaredDistance(patch.center, reach, reach) <= reach * reach)
   {
     return PatchState::COVERED;
   }
-  if (squared >= apart * apart)
+  PointType point;
+  if (!m_Oracle.FindPointOfPatch(patch, point))
   {
-    PointType point = patch.point;
+    return PatchState::COVERED;
+  }
+  const double own = m_LocalDelta.IsUniform() ? m_LocalDelta.GetMaximum() : m_LocalDelta.GetAt(point);
+  const double apart = spacing * own;
+  if (m_Grid.FindSquaredDistance(point, apart, apart) >= apart * apart)
+  {
     if (m_RoundToFloat)
     {
       std::transform(
@@ -85,7 +96,7 @@ DelaunayRefinementSurfaceSample::Visit(const PatchType & patch, double spacing, 
     }
     m_Grid.Add(point);
     points.push_back(point);
-    return reach > 0.0 ? PatchState::COVERED : PatchState::OPEN;
+    return DelaunayRefinementGeometry::Distance(point, patch.center) <= reach ? PatchState::COVERED : PatchState::OPEN;
   }
   return patch.radius < SmallestPatch * own ? PatchState::COVERED : PatchState::OPEN;
 }
@@ -105,7 +116,7 @@ DelaunayRefinementSurfaceSample::Seed(double spacing, std::vector<PointType> & p
     {
       if (this->Visit(patch, spacing, points) == PatchState::OPEN)
       {
-        if (patch.radius > SeedPatch * m_LocalDelta.GetMinimumWithin(patch.point, patch.radius))
+        if (patch.radius > SmallPatch * this->GetLeastDelta(patch))
         {
           m_Oracle.SplitSurfacePatch(patch, parts);
         }

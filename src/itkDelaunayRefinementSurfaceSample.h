@@ -64,13 +64,17 @@ public:
 private:
   using PatchType = DelaunayRefinementOracle::SurfacePatch;
 
+  /** The least delta that holds in a patch. */
+  double
+  GetLeastDelta(const PatchType & patch) const;
+
   enum class PatchState
   {
     COVERED,
     OPEN
   };
 
-  /** Covered or not; a patch whose point is farther than \c spacing times delta from all vertices gets one first. */
+  /** Covered or not; a patch gets a vertex if a point of it is at least \c spacing times delta away from all. */
   PatchState
   Visit(const PatchType & patch, double spacing, std::vector<PointType> & points);
 

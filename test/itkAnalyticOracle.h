@@ -139,6 +139,13 @@ public:
     }
   }
 
+  bool
+  FindPointOfPatch(const SurfacePatch & patch, PointType & point) const override
+  {
+    point = this->ComputeClosestPoint(patch.center);
+    return true;
+  }
+
   ComponentType
   GetNumberOfComponents() const override
   {
@@ -224,13 +231,7 @@ private:
     {
       return;
     }
-    const PointType point = this->ComputeClosestPoint(boxCenter);
-    PointType       toFarthestCorner;
-    for (unsigned int i = 0; i < 3; ++i)
-    {
-      toFarthestCorner[i] = std::abs(point[i] - boxCenter[i]) + halfWidth;
-    }
-    patches.push_back({ point, Norm(toFarthestCorner), index, level });
+    patches.push_back({ boxCenter, Norm(corner), index, level });
   }
 
   double m_HalfWidth;

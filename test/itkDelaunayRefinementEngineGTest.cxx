@@ -69,6 +69,12 @@ public:
     return {};
   }
 
+  bool
+  FindPointOfPatch(const SurfacePatch &, PointType &) const override
+  {
+    return false;
+  }
+
   ComponentType
   GetNumberOfComponents() const override
   {

@@ -27,7 +27,7 @@
 
 namespace itk::DelaunayRefinementTest
 {
-/** Points of the surface such that every surface point is within \c reach of one of them, from the oracle's patches. */
+/** Points of the surface such that every surface point is within twice \c reach of one of them, from the oracle's patches. */
 inline std::vector<PointType>
 SampleSurface(const DelaunayRefinementOracle & oracle, double reach)
 {
@@ -39,7 +39,11 @@ SampleSurface(const DelaunayRefinementOracle & oracle, double reach)
     patches.pop_back();
     if (patch.radius <= reach)
     {
-      samples.push_back(patch.point);
+      PointType point;
+      if (oracle.FindPointOfPatch(patch, point))
+      {
+        samples.push_back(point);
+      }
     }
     else
     {
@@ -254,7 +258,7 @@ ExpectPatchesCoverSurface(const DelaunayRefinementOracle & oracle,
     for (const auto & patch : patches)
     {
       const PointType offset{ patch.radius, patch.radius, patch.radius };
-      boxes.push_back({ Subtract(patch.point, offset), Add(patch.point, offset) });
+      boxes.push_back({ Subtract(patch.center, offset), Add(patch.center, offset) });
     }
     const SpatialGrid grid(boxes);
     std::size_t       numberOfUncoveredPoints = 0;
@@ -262,7 +266,7 @@ ExpectPatchesCoverSurface(const DelaunayRefinementOracle & oracle,
     {
       bool isCovered = false;
       grid.ForEachItem({ point, point }, [&](std::size_t i) {
-        isCovered = isCovered || Distance(point, patches[i].point) <= patches[i].radius + tolerance;
+        isCovered = isCovered || Distance(point, patches[i].center) <= patches[i].radius + tolerance;
       });
       numberOfUncoveredPoints += isCovered ? 0 : 1;
     }
@@ -280,7 +284,7 @@ ExpectPatchesCoverSurface(const DelaunayRefinementOracle & oracle,
       {
         largestPart = std::max(largestPart, parts[i].radius);
         EXPECT_LE(parts[i].radius, patch.radius + tolerance);
-        EXPECT_LE(Distance(parts[i].point, patch.point), patch.radius + parts[i].radius + tolerance);
+        EXPECT_LE(Distance(parts[i].center, patch.center), patch.radius + parts[i].radius + tolerance);
       }
     }
     EXPECT_LE(largestPart, 0.75 * largestPatch) << "after splitting " << split << " times";
