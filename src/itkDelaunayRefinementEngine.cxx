@@ -164,6 +164,7 @@ private:
   std::unique_ptr<DelaunayRefinementRules>         m_Rules{};
   std::unique_ptr<DelaunayRefinementEncroachment>  m_Encroachment{};
   DelaunayRefinementQueue                          m_R2Queue{};
+  DelaunayRefinementQueue                          m_EncroachmentQueue{};
   DelaunayRefinementQueue                          m_R3Queue{};
   DelaunayRefinementQueue                          m_R4Queue{};
   std::vector<PointType>                           m_R1Points{};
@@ -290,7 +291,9 @@ DelaunayRefinementEngine::Impl::Examine(const std::vector<IndexType> & cells)
     }
     if (m_Rules->MayFireR2(cell))
     {
-      m_R2Queue.Push(triangulation, cell);
+      // Encroachment goes first: it removes free vertices.
+      const bool isInBox = m_Encroachment->IsStrictlyInside(m_Complex->GetState(cell).ball.center);
+      (isInBox ? m_R2Queue : m_EncroachmentQueue).Push(triangulation, cell);
     }
     if (m_Rules->FiresR4(cell) || m_Rules->FiresCellSize(cell) || m_Rules->FiresR4Prime(cell))
     {
@@ -348,13 +351,15 @@ bool
 DelaunayRefinementEngine::Impl::ApplyR2()
 {
   DelaunayRefinementQueue::EntryType entry;
-  if (!m_R2Queue.Pop(m_Complex->GetTriangulation(), entry))
+  if (!m_EncroachmentQueue.Pop(m_Complex->GetTriangulation(), entry) &&
+      !m_R2Queue.Pop(m_Complex->GetTriangulation(), entry))
   {
     return false;
   }
   if (m_Rules->FiresR2(entry.cell))
   {
-    const auto proposal = m_Encroachment->FindEncroachment(m_Complex->GetState(entry.cell).ball.center);
+    const PointType center = m_Complex->Round(m_Complex->GetState(entry.cell).ball.center);
+    const auto      proposal = m_Encroachment->FindEncroachment(center);
     if (proposal.which == EncroachmentCase::NONE)
     {
       this->InsertCircumcenter(RefinementRule::R2, entry.cell);
@@ -585,7 +590,7 @@ DelaunayRefinementEngine::Impl::ReportProgress()
   }
   const double done = static_cast<double>(m_NumberOfSteps);
   const double queued =
-    static_cast<double>(m_R2Queue.GetLength() + m_R3Queue.GetLength() + m_R4Queue.GetLength() + m_R1Points.size());
+    static_cast<double>(m_R2Queue.GetLength() + m_EncroachmentQueue.GetLength() + m_R3Queue.GetLength() + m_R4Queue.GetLength() + m_R1Points.size());
   m_Progress = std::max(m_Progress, done / (done + queued + 1.0));
   if (!m_Parameters.progress(m_Progress))
   {
