@@ -99,6 +99,10 @@ public:
   BoundsType
   GetComponentBounds(ComponentType component) const override;
 
+  /** Makes components outside; the others keep their order. */
+  void
+  RemoveComponents(const std::vector<bool> & isRemoved);
+
   /** Describes the components. Inscribed radii are found by climbing away from the surface, which stops once \c enough
    * is reached: they may be too small, never too large. */
   std::vector<DelaunayRefinementComponent>
@@ -119,6 +123,10 @@ public:
   /** The delta for a component: \c delta, or less if the component is too thin for it. */
   double
   ComputeComponentDelta(const DelaunayRefinementComponent & component, double delta) const;
+
+  /** Whether a component has fewer than 8 voxels and is much too small for \c delta. */
+  bool
+  IsNegligible(const DelaunayRefinementComponent & component, double delta) const;
 
   /** A rough estimate of the number of tetrahedra of the whole triangulation. */
   double
@@ -197,6 +205,9 @@ private:
   GetCellsOfPatch(const IndexType & index, unsigned int level) const;
 
   class ClosestSearch;
+
+  double
+  GetLeastSpacing() const;
 
   double
   ClimbToInscribedRadius(const IndexType & voxel, double enough) const;

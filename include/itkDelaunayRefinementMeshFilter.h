@@ -148,7 +148,9 @@ public:
   itkGetConstMacro(LargestComponentOnly, bool);
   itkBooleanMacro(LargestComponentOnly);
 
-  /** 18-connected components with fewer voxels are left out. Default 1: all are meshed. */
+  /** 18-connected components with fewer voxels are left out. Default 1: none is. Components of fewer than 8 voxels are
+   * also left out, and named in the warnings, where Delta is more than 1.4 times the smallest spacing, unless the
+   * object has no other. */
   itkSetMacro(MinimumComponentSize, SizeValueType);
   itkGetConstMacro(MinimumComponentSize, SizeValueType);
 
@@ -204,8 +206,16 @@ private:
   void
   VerifyObject(const InputImageType * image, const DelaunayRefinementLatticeOracle & oracle) const;
 
+  /** Returns the numbers of the components that stay. */
+  std::vector<std::uint32_t>
+  LeaveOutNegligibleComponents(DelaunayRefinementLatticeOracle & oracle) const;
+
+  /** Statistics number the components as m_Components does; those left out are missing. */
+  void
+  RenumberComponents(const std::vector<std::uint32_t> & kept);
+
   DelaunayRefinementParameters
-  MakeParameters(const DelaunayRefinementLatticeOracle & oracle);
+  MakeParameters(const DelaunayRefinementLatticeOracle & oracle, const std::vector<std::uint32_t> & kept);
 
   void
   VerifyMemory(const DelaunayRefinementLatticeOracle & oracle, const DelaunayRefinementParameters & parameters) const;

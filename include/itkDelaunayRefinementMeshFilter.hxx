@@ -30,6 +30,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numeric>
 #include <sstream>
 
 namespace itk
@@ -211,15 +212,19 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::GenerateData()
     ObjectType             object;
     const double           label = this->ChooseObject(image, object);
 
-    const ImageDelaunayRefinementOracle<InputImageType> oracle(image, object, m_Interpolator);
+    ImageDelaunayRefinementOracle<InputImageType> oracle(image, object, m_Interpolator);
     this->VerifyObject(image, oracle);
-    const DelaunayRefinementParameters parameters = this->MakeParameters(oracle);
+    m_EffectiveDelta = m_DeltaIsSet ? m_Delta : oracle.ComputeDefaultDelta();
+    m_Components = oracle.ComputeComponents(m_EffectiveDelta);
+    const std::vector<std::uint32_t>   kept = this->LeaveOutNegligibleComponents(oracle);
+    const DelaunayRefinementParameters parameters = this->MakeParameters(oracle, kept);
     this->VerifyMemory(oracle, parameters);
     m_PreparationSeconds = secondsSince(preparationStart);
 
     DelaunayRefinementEngine engine(oracle, parameters);
     const auto               reason = engine.Run();
     m_Statistics = engine.GetStatistics();
+    this->RenumberComponents(kept);
     this->ThrowUnlessCompleted(reason);
     this->WarnOfComponents();
 
@@ -371,12 +376,67 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::VerifyObject(const Input
 }
 
 template <typename TInputImage, typename TOutputMesh>
+std::vector<std::uint32_t>
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::LeaveOutNegligibleComponents(
+  DelaunayRefinementLatticeOracle & oracle) const
+{
+  std::vector<std::uint32_t> kept;
+  std::vector<bool>          isLeftOut(m_Components.size());
+  for (std::uint32_t i = 0; i < m_Components.size(); ++i)
+  {
+    isLeftOut[i] = oracle.IsNegligible(m_Components[i], m_EffectiveDelta);
+    if (!isLeftOut[i])
+    {
+      kept.push_back(i);
+    }
+  }
+  if (kept.empty())
+  {
+    // Small as they are, they are all there is.
+    kept.resize(m_Components.size());
+    std::iota(kept.begin(), kept.end(), 0);
+  }
+  else if (kept.size() < m_Components.size())
+  {
+    oracle.RemoveComponents(isLeftOut);
+  }
+  return kept;
+}
+
+template <typename TInputImage, typename TOutputMesh>
+void
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::RenumberComponents(const std::vector<std::uint32_t> & kept)
+{
+  std::vector<bool> isMissing(m_Components.size(), true);
+  for (const std::uint32_t component : kept)
+  {
+    isMissing[component] = false;
+  }
+  for (const std::uint32_t number : m_Statistics.missingComponents)
+  {
+    isMissing[kept[number]] = true;
+  }
+  m_Statistics.missingComponents.clear();
+  for (std::uint32_t i = 0; i < isMissing.size(); ++i)
+  {
+    if (isMissing[i])
+    {
+      m_Statistics.missingComponents.push_back(i);
+    }
+  }
+  for (auto & lowered : m_Statistics.loweredDeltas)
+  {
+    lowered.first = kept[lowered.first];
+  }
+}
+
+template <typename TInputImage, typename TOutputMesh>
 DelaunayRefinementParameters
-DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::MakeParameters(const DelaunayRefinementLatticeOracle & oracle)
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::MakeParameters(const DelaunayRefinementLatticeOracle & oracle,
+                                                                       const std::vector<std::uint32_t> &      kept)
 {
   DelaunayRefinementParameters parameters;
-  parameters.delta = m_DeltaIsSet ? m_Delta : oracle.ComputeDefaultDelta();
-  m_EffectiveDelta = parameters.delta;
+  parameters.delta = m_EffectiveDelta;
   parameters.radiusEdgeRatioBound = m_RadiusEdgeRatioBound;
   parameters.cellSize = m_CellSize;
   parameters.minimumDihedralAngle = m_MinimumDihedralAngle;
@@ -386,10 +446,9 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::MakeParameters(const Del
     this->UpdateProgress(static_cast<float>(progress));
     return !this->GetAbortGenerateData();
   };
-  m_Components = oracle.ComputeComponents(parameters.delta);
-  for (const DelaunayRefinementComponent & component : m_Components)
+  for (const std::uint32_t component : kept)
   {
-    parameters.componentDelta.push_back(oracle.ComputeComponentDelta(component, parameters.delta));
+    parameters.componentDelta.push_back(oracle.ComputeComponentDelta(m_Components[component], parameters.delta));
   }
   return parameters;
 }
@@ -450,13 +509,18 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::WarnOfComponents()
     return text.str();
   };
   const auto & missing = m_Statistics.missingComponents;
-  for (std::size_t i = 0; i < std::min(missing.size(), mostShown); ++i)
+  if (!missing.empty())
   {
-    m_Warnings.push_back("A component is missing in the mesh: " + describe(missing[i]));
-  }
-  if (missing.size() > mostShown)
-  {
-    m_Warnings.push_back("More components are missing in the mesh: " + std::to_string(missing.size() - mostShown));
+    std::ostringstream text;
+    text << missing.size() << " of " << m_Components.size()
+         << (missing.size() == 1 ? " component is" : " components are") << " too small for Delta " << m_EffectiveDelta
+         << " mm and missing in the mesh:";
+    for (std::size_t i = 0; i < std::min(missing.size(), mostShown); ++i)
+    {
+      text << (i == 0 ? " " : ", ") << describe(missing[i]);
+    }
+    text << (missing.size() > mostShown ? ", ..." : "");
+    m_Warnings.push_back(text.str());
   }
   const auto & lowered = m_Statistics.loweredDeltas;
   if (!lowered.empty())

@@ -39,9 +39,6 @@ using EncroachmentCase = DelaunayRefinementEnums::EncroachmentCase;
 using TerminationReason = DelaunayRefinementEnums::TerminationReason;
 using VertexKind = DelaunayRefinementEnums::VertexKind;
 
-/** Spacing of the first sample over delta; R3 fills the gaps where they are widest. */
-constexpr double SeedSpacing = 1.0;
-
 /** The box keeps a little more than the distance from the surface that the proof of Lemma 2 needs. */
 constexpr double BoxDistance = 2.8284271247461903 * 1.001;
 
@@ -167,12 +164,11 @@ private:
   DelaunayRefinementQueue                          m_EncroachmentQueue{};
   DelaunayRefinementQueue                          m_R3Queue{};
   DelaunayRefinementQueue                          m_R4Queue{};
-  std::vector<PointType>                           m_R1Points{};
   std::vector<IndexType>                           m_Found{};
   std::vector<std::uint32_t>                       m_ExaminedIn{};
   std::uint32_t                                    m_NumberOfExaminations{ 0 };
   std::mt19937_64                                  m_Random{};
-  bool                                             m_IsSampleOpen{ true };
+  bool                                             m_IsSampleOpen{ false };
   TerminationReason                                m_Reason{ TerminationReason::COMPLETED };
   unsigned int                                     m_NumberOfLowerings{ 0 };
   unsigned int                                     m_NumberOfShapeRounds{ 0 };
@@ -187,8 +183,12 @@ DelaunayRefinementEngine::Impl::RunAllPhases()
   this->ReportProgress();
   m_Sample = std::make_unique<DelaunayRefinementSurfaceSample>(m_Oracle, m_LocalDelta, m_Parameters.roundToFloat);
   std::vector<PointType> seeds;
-  m_Sample->Seed(SeedSpacing, seeds);
+  m_Sample->Certify(seeds);
   m_Statistics.samplingSeconds = SecondsSince(start);
+  if (m_Reason != TerminationReason::COMPLETED)
+  {
+    return m_Reason;
+  }
   if (seeds.empty())
   {
     return TerminationReason::NO_SURFACE_FOUND;
@@ -196,11 +196,6 @@ DelaunayRefinementEngine::Impl::RunAllPhases()
   if (seeds.size() + 8 > m_Parameters.maximumNumberOfVertices)
   {
     return TerminationReason::VERTEX_LIMIT;
-  }
-  this->ReportProgress();
-  if (m_Reason != TerminationReason::COMPLETED)
-  {
-    return m_Reason;
   }
 
   start = Clock::now();
@@ -269,7 +264,7 @@ DelaunayRefinementEngine::Impl::Refine()
     {
       this->ReportProgress();
     }
-    if (!(this->ApplyR3() || this->ApplyR1() || this->ApplyR2() || this->ApplyR4() || this->MendFlatTetrahedra() ||
+    if (!(this->ApplyR1() || this->ApplyR3() || this->ApplyR2() || this->ApplyR4() || this->MendFlatTetrahedra() ||
           this->LowerDeltaOfMissingComponents()))
     {
       return;
@@ -331,19 +326,22 @@ DelaunayRefinementEngine::Impl::ApplyR3()
 bool
 DelaunayRefinementEngine::Impl::ApplyR1()
 {
-  if (m_IsSampleOpen)
-  {
-    m_Sample->Certify(m_R1Points);
-    std::reverse(m_R1Points.begin(), m_R1Points.end());
-    m_IsSampleOpen = false;
-  }
-  if (m_R1Points.empty())
+  if (!m_IsSampleOpen)
   {
     return false;
   }
-  const PointType point = m_R1Points.back();
-  m_R1Points.pop_back();
-  this->InsertFeature(RefinementRule::R1, point, m_Complex->GetTriangulation().GetCellOfVertex(1));
+  // All at once: the points keep their distance from each other and from the vertices there are now.
+  std::vector<PointType> points;
+  m_Sample->Certify(points);
+  for (std::size_t i = 0; i < points.size() && m_Reason == TerminationReason::COMPLETED; ++i)
+  {
+    this->InsertFeature(RefinementRule::R1, points[i], m_Complex->GetTriangulation().GetCellOfVertex(1));
+    if (i % ProgressInterval == 0)
+    {
+      this->ReportProgress();
+    }
+  }
+  m_IsSampleOpen = false;
   return true;
 }
 
@@ -590,7 +588,7 @@ DelaunayRefinementEngine::Impl::ReportProgress()
   }
   const double done = static_cast<double>(m_NumberOfSteps);
   const double queued =
-    static_cast<double>(m_R2Queue.GetLength() + m_EncroachmentQueue.GetLength() + m_R3Queue.GetLength() + m_R4Queue.GetLength() + m_R1Points.size());
+    static_cast<double>(m_R2Queue.GetLength() + m_EncroachmentQueue.GetLength() + m_R3Queue.GetLength() + m_R4Queue.GetLength());
   m_Progress = std::max(m_Progress, done / (done + queued + 1.0));
   if (!m_Parameters.progress(m_Progress))
   {

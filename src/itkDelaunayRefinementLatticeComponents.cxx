@@ -40,11 +40,17 @@ constexpr double MostDefaultTetrahedra = 3e5;
 /** The default delta is at least this many voxels. */
 constexpr double DefaultDeltaInVoxels = 1.5;
 
-/** Components are not sampled more coarsely than this, over their inscribed radius. */
-constexpr double DeltaPerInscribedRadius = 1.5;
-
 /** No component gets a delta below this many voxels at the start. */
 constexpr double LeastDeltaInVoxels = 0.1;
+
+/** A component of fewer voxels may be left out. */
+constexpr std::size_t FewVoxels = 8;
+
+/** The radius of a ball in a single voxel's half level, in voxels. */
+constexpr double RadiusOfVoxel = 0.35;
+
+/** Components of few voxels are left out if delta is larger than this many radii. */
+constexpr double LargestDeltaPerRadius = 4.0;
 } // namespace
 
 std::vector<DelaunayRefinementComponent>
@@ -80,7 +86,9 @@ DelaunayRefinementLatticeOracle::ComputeComponents(double enough) const
     components[i].numberOfVoxels = infos[i].numberOfVoxels;
     components[i].volume = voxelVolume * static_cast<double>(infos[i].numberOfVoxels);
     components[i].firstVoxel = this->ToPhysical(PointType{ first[0] + 1.0, first[1] + 1.0, first[2] + 1.0 });
-    components[i].inscribedRadius = this->ClimbToInscribedRadius(centers[i], enough);
+    components[i].inscribedRadius = infos[i].numberOfVoxels < FewVoxels
+                                      ? RadiusOfVoxel * this->GetLeastSpacing()
+                                      : this->ClimbToInscribedRadius(centers[i], enough);
   }
   return components;
 }
@@ -88,8 +96,8 @@ DelaunayRefinementLatticeOracle::ComputeComponents(double enough) const
 double
 DelaunayRefinementLatticeOracle::ClimbToInscribedRadius(const IndexType & voxel, double enough) const
 {
-  constexpr unsigned int maximumNumberOfSteps = 30;
-  constexpr double       smallestGain = 0.02;
+  constexpr unsigned int maximumNumberOfSteps = 16;
+  constexpr double       smallestGain = 0.05;
   PointType              point = this->ToPhysical(PointType{ voxel[0] + 1.0, voxel[1] + 1.0, voxel[2] + 1.0 });
   const auto             radiusAt = [&](const PointType & p, PointType & closest) {
     return this->Classify(p) != 0 && this->FindClosestSurfacePoint(p, enough, closest) ? Geometry::Distance(p, closest)
@@ -192,8 +200,19 @@ double
 DelaunayRefinementLatticeOracle::ComputeComponentDelta(const DelaunayRefinementComponent & component,
                                                        double                              delta) const
 {
-  const double leastSpacing = std::sqrt(std::min({ m_Gram[0][0], m_Gram[1][1], m_Gram[2][2] }));
-  return std::min(delta, std::max(DeltaPerInscribedRadius * component.inscribedRadius, LeastDeltaInVoxels * leastSpacing));
+  return std::min(delta, std::max(component.inscribedRadius, LeastDeltaInVoxels * this->GetLeastSpacing()));
+}
+
+bool
+DelaunayRefinementLatticeOracle::IsNegligible(const DelaunayRefinementComponent & component, double delta) const
+{
+  return component.numberOfVoxels < FewVoxels && delta > LargestDeltaPerRadius * component.inscribedRadius;
+}
+
+double
+DelaunayRefinementLatticeOracle::GetLeastSpacing() const
+{
+  return std::sqrt(std::min({ m_Gram[0][0], m_Gram[1][1], m_Gram[2][2] }));
 }
 
 double

@@ -121,6 +121,13 @@ DelaunayRefinementLatticeOracle::Initialize(ModelEnum                          m
   m_Bricks = std::make_unique<DelaunayRefinementBricks>(*m_Mask);
 }
 
+void
+DelaunayRefinementLatticeOracle::RemoveComponents(const std::vector<bool> & isRemoved)
+{
+  m_Components->Remove(isRemoved, *m_Mask);
+  m_Bricks = std::make_unique<DelaunayRefinementBricks>(*m_Mask);
+}
+
 double
 DelaunayRefinementLatticeOracle::GetVoxelValue(std::int32_t x, std::int32_t y, std::int32_t z) const
 {

@@ -31,7 +31,6 @@ constexpr double SquaredMargin = 1.0 - 2e-9;
 /** No rule without a proof of its own makes edges shorter than this share of delta. */
 constexpr double ShortestShare = 0.25;
 
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double DegreesToRadians = 0.017453292519943295;
 } // namespace
 
@@ -49,15 +48,15 @@ DelaunayRefinementRules::DelaunayRefinementRules(const DelaunayRefinementOracle 
 double
 DelaunayRefinementRules::GetDeltaOfFeatures(const std::array<IndexType, 4> & vertices, unsigned int leftOut) const
 {
-  double delta = Infinity;
+  double delta = 0.0;
   for (unsigned int i = 0; i < 4; ++i)
   {
     if (i != leftOut && m_Complex.IsFeature(vertices[i]))
     {
-      delta = std::min(delta, m_Complex.GetDelta(vertices[i]));
+      delta = std::max(delta, m_Complex.GetDelta(vertices[i]));
     }
   }
-  return delta;
+  return delta > 0.0 ? delta : m_LocalDelta.GetMaximum();
 }
 
 bool
@@ -90,7 +89,7 @@ double
 DelaunayRefinementRules::ComputeR3Threshold(IndexType cell, unsigned int i) const
 {
   const auto & vertices = m_Complex.GetTriangulation().GetCell(cell).vertices;
-  const double delta = std::min(this->GetDeltaOfFeatures(vertices, i), m_LocalDelta.GetMaximum());
+  const double delta = this->GetDeltaOfFeatures(vertices, i);
   const auto   a = vertices[(i + 1) & 3];
   const auto   b = vertices[(i + 2) & 3];
   const auto   c = vertices[(i + 3) & 3];
@@ -209,8 +208,8 @@ DelaunayRefinementRules::FiresR4Prime(IndexType cell) const
   {
     return false;
   }
-  const double features = this->GetDeltaOfFeatures(m_Complex.GetTriangulation().GetCell(cell).vertices, 4);
-  const double shortest = ShortestShare * std::min(features, m_LocalDelta.GetMaximum());
+  const double delta = this->GetDeltaOfFeatures(m_Complex.GetTriangulation().GetCell(cell).vertices, 4);
+  const double shortest = ShortestShare * delta;
   if (state.ball.squaredRadius < shortest * shortest)
   {
     return false;

@@ -81,7 +81,8 @@ public:
   FiresR4Prime(IndexType cell) const;
 
 private:
-  /** The smallest delta of the feature vertices among some vertices of a cell; infinity if there is none. */
+  /** The largest delta of the feature vertices of a cell, one left out; the largest of all if there is none. Where
+   * components with different deltas meet, the facets' edges see to the transition. */
   double
   GetDeltaOfFeatures(const std::array<IndexType, 4> & vertices, unsigned int leftOut) const;
 

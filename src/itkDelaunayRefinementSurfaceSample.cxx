@@ -34,7 +34,7 @@ constexpr double CubeSize = 2.0;
 /** Patches smaller than this share of delta are judged by their point alone. */
 constexpr double SmallestPatch = 1e-5;
 
-/** Seeds are looked for in patches down to this share of delta. */
+/** Patches smaller than this share of delta are held to belong to one component. */
 constexpr double SmallPatch = 0.3;
 } // namespace
 
@@ -66,14 +66,13 @@ DelaunayRefinementSurfaceSample::GetLeastDelta(const PatchType & patch) const
   {
     return m_LocalDelta.GetMaximum();
   }
-  // A small patch is held to belong to one component.
   return patch.radius < SmallPatch * m_LocalDelta.GetMinimum()
            ? m_LocalDelta.GetAt(patch.center)
            : m_LocalDelta.GetMinimumWithin(patch.center, patch.radius);
 }
 
 DelaunayRefinementSurfaceSample::PatchState
-DelaunayRefinementSurfaceSample::Visit(const PatchType & patch, double spacing, std::vector<PointType> & points)
+DelaunayRefinementSurfaceSample::Visit(const PatchType & patch, std::vector<PointType> & points)
 {
   const double reach = this->GetLeastDelta(patch) - patch.radius;
   if (reach > 0.0 && m_Grid.FindSquaredDistance(patch.center, reach, reach) <= reach * reach)
@@ -86,7 +85,7 @@ DelaunayRefinementSurfaceSample::Visit(const PatchType & patch, double spacing, 
     return PatchState::COVERED;
   }
   const double own = m_LocalDelta.IsUniform() ? m_LocalDelta.GetMaximum() : m_LocalDelta.GetAt(point);
-  const double apart = spacing * own;
+  const double apart = Separation * own;
   if (m_Grid.FindSquaredDistance(point, apart, apart) >= apart * apart)
   {
     if (m_RoundToFloat)
@@ -102,35 +101,6 @@ DelaunayRefinementSurfaceSample::Visit(const PatchType & patch, double spacing, 
 }
 
 void
-DelaunayRefinementSurfaceSample::Seed(double spacing, std::vector<PointType> & points)
-{
-  spacing = std::max(spacing, Separation);
-  std::vector<PatchType> current;
-  std::vector<PatchType> parts;
-  current.swap(m_Open);
-  while (!current.empty())
-  {
-    this->Shuffle(current);
-    parts.clear();
-    for (const PatchType & patch : current)
-    {
-      if (this->Visit(patch, spacing, points) == PatchState::OPEN)
-      {
-        if (patch.radius > SmallPatch * this->GetLeastDelta(patch))
-        {
-          m_Oracle.SplitSurfacePatch(patch, parts);
-        }
-        else
-        {
-          m_Open.push_back(patch);
-        }
-      }
-    }
-    current.swap(parts);
-  }
-}
-
-void
 DelaunayRefinementSurfaceSample::Add(const PointType & point)
 {
   m_Grid.Add(point);
@@ -139,16 +109,19 @@ DelaunayRefinementSurfaceSample::Add(const PointType & point)
 void
 DelaunayRefinementSurfaceSample::Certify(std::vector<PointType> & points)
 {
-  // The last patch first: a stack.
-  std::reverse(m_Open.begin(), m_Open.end());
+  std::vector<PatchType> parts;
   while (!m_Open.empty())
   {
-    const PatchType patch = m_Open.back();
-    m_Open.pop_back();
-    if (this->Visit(patch, Separation, points) == PatchState::OPEN)
+    this->Shuffle(m_Open);
+    parts.clear();
+    for (const PatchType & patch : m_Open)
     {
-      m_Oracle.SplitSurfacePatch(patch, m_Open);
+      if (this->Visit(patch, points) == PatchState::OPEN)
+      {
+        m_Oracle.SplitSurfacePatch(patch, parts);
+      }
     }
+    m_Open.swap(parts);
   }
 }
 

@@ -44,16 +44,12 @@ public:
                                   const DelaunayRefinementLocalDelta & localDelta,
                                   bool                                 roundToFloat);
 
-  /** Appends points that are at least \c spacing times delta apart, in a random order that is always the same, and
-   * leaves parts of the surface open. */
-  void
-  Seed(double spacing, std::vector<PointType> & points);
-
   /** Tells of a feature vertex inserted by another rule. */
   void
   Add(const PointType & point);
 
-  /** Appends the points that R1 inserts, until no part of the surface is open. */
+  /** Appends the points that R1 inserts, until no part of the surface is open: in a random order that is always the
+   * same, which keeps the sample sparse, large patches first. */
   void
   Certify(std::vector<PointType> & points);
 
@@ -74,9 +70,9 @@ private:
     OPEN
   };
 
-  /** Covered or not; a patch gets a vertex if a point of it is at least \c spacing times delta away from all. */
+  /** Covered or not; a patch gets a vertex if a point of it is far enough from all. */
   PatchState
-  Visit(const PatchType & patch, double spacing, std::vector<PointType> & points);
+  Visit(const PatchType & patch, std::vector<PointType> & points);
 
   void
   Shuffle(std::vector<PatchType> & patches);
