@@ -20,6 +20,7 @@
 #include "MeshImageFileBytes.h"
 #include "MeshImageMetaImageHeader.h"
 #include "MeshImageNiftiHeader.h"
+#include "MeshImageTiffHeader.h"
 #include "MeshImageTypes.h"
 
 #include <cstring>
@@ -103,6 +104,12 @@ IsCompleteMrc(const itk::ImageIOBase & io, const std::string & fileName)
 }
 
 bool
+IsCompleteTiff(const itk::ImageIOBase &, const std::string & fileName)
+{
+  return IsCompleteTiffFile(fileName);
+}
+
+bool
 IsCompleteVtk(const itk::ImageIOBase & io, const std::string & fileName)
 {
   std::ifstream file(fileName, std::ios::binary);
@@ -129,11 +136,10 @@ void
 RequireCompleteFile(const itk::ImageIOBase & io, const std::string & fileName)
 {
   using TestType = bool (*)(const itk::ImageIOBase &, const std::string &);
-  const std::pair<const char *, TestType> tests[] = { { "MetaImageIO", IsCompleteMetaImage },
-                                                      { "NiftiImageIO", IsCompleteNifti },
-                                                      { "GiplImageIO", IsCompleteGipl },
-                                                      { "MRCImageIO", IsCompleteMrc },
-                                                      { "VTKImageIO", IsCompleteVtk } };
+  const std::pair<const char *, TestType> tests[] = {
+    { "MetaImageIO", IsCompleteMetaImage }, { "NiftiImageIO", IsCompleteNifti }, { "GiplImageIO", IsCompleteGipl },
+    { "MRCImageIO", IsCompleteMrc },        { "TIFFImageIO", IsCompleteTiff },   { "VTKImageIO", IsCompleteVtk }
+  };
   for (const auto & [reader, isComplete] : tests)
   {
     if (std::strcmp(io.GetNameOfClass(), reader) == 0 && !isComplete(io, fileName))

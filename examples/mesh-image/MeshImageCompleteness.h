@@ -25,7 +25,7 @@
 namespace meshimage
 {
 /** Throws a RunError if the file, or the data file that it names, holds fewer bytes than its header promises, in the
- * formats where ITK would fill the rest with whatever is in memory: MetaImage, NIfTI and Analyze, VTK, GIPL, MRC.
+ * formats where ITK would fill the rest with whatever is in memory: MetaImage, NIfTI and Analyze, VTK, GIPL, MRC, TIFF.
  * Readers of the other formats find that out themselves. */
 void
 RequireCompleteFile(const itk::ImageIOBase & io, const std::string & fileName);

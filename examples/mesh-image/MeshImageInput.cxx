@@ -19,6 +19,7 @@
 
 #include "MeshImageCompleteness.h"
 #include "MeshImageMessages.h"
+#include "MeshImageStandardError.h"
 #include "MeshImageTypes.h"
 
 #include "itkImageIOFactory.h"
@@ -106,6 +107,7 @@ itk::ImageIOBase::Pointer
 OpenImage(const std::string & fileName)
 {
   RequireReadableFile(fileName);
+  const SilencedLibraries         silence;
   const itk::ImageIOBase::Pointer io =
     itk::ImageIOFactory::CreateImageIO(fileName.c_str(), itk::IOFileModeEnum::ReadMode);
   if (io == nullptr)

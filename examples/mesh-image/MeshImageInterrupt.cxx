@@ -34,10 +34,11 @@ WaitForInterrupt()
 
 #else
 
+#  include "MeshImageStandardError.h"
+
 #  include <atomic>
 #  include <chrono>
 #  include <csignal>
-#  include <cstdio>
 #  include <cstdlib>
 #  include <thread>
 #  include <unistd.h>
@@ -70,7 +71,7 @@ EndOnInterrupt(std::function<bool()> prepare)
       sigwait(&signals, &number);
       underWay = true;
     } while (!prepare());
-    std::fputs("mesh-image: interrupted, nothing was written\n", stderr);
+    PrintMessage("mesh-image: interrupted, nothing was written\n");
     _exit(EXIT_FAILURE);
   }).detach();
 }

@@ -17,34 +17,22 @@
  *=========================================================================*/
 #include "MeshImageProgressBar.h"
 
-#include <algorithm>
-#include <cstdio>
-#include <string>
+#include "MeshImageStandardError.h"
 
-#ifdef _WIN32
-#  include <io.h>
-#else
-#  include <unistd.h>
-#endif
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+#include <string>
 
 namespace meshimage
 {
-namespace
+void
+ProgressBar::EnableOnTerminal()
 {
-bool
-StandardErrorIsTerminal()
-{
-#ifdef _WIN32
-  return _isatty(_fileno(stderr)) != 0;
-#else
-  return isatty(STDERR_FILENO) != 0;
-#endif
+  const std::lock_guard<std::mutex> lock(m_Mutex);
+  m_Enabled = MessagesGoToTerminal();
 }
-} // namespace
-
-ProgressBar::ProgressBar(bool quiet)
-  : m_Enabled(!quiet && StandardErrorIsTerminal())
-{}
 
 void
 ProgressBar::Show(const char * what, double share)
@@ -61,10 +49,12 @@ ProgressBar::Show(const char * what, double share)
   m_What = what;
   m_LastTime = now;
   m_Shown = true;
-  const double      clamped = std::clamp(share, 0.0, 1.0);
-  const std::string done(static_cast<std::size_t>(clamped * width), '#');
-  std::fprintf(stderr, "\r\033[K%-8s [%-*s] %3.0f %%", what, width, done.c_str(), 100.0 * clamped);
-  std::fflush(stderr);
+  const double       clamped = std::clamp(share, 0.0, 1.0);
+  const std::string  done(static_cast<std::size_t>(clamped * width), '#');
+  std::ostringstream line;
+  line << "\r\033[K" << std::left << std::setw(10) << what << "[" << std::setw(width) << done << "] " << std::right
+       << std::setw(3) << std::lround(100.0 * clamped) << " %";
+  PrintMessage(line.str());
 }
 
 void
@@ -73,8 +63,7 @@ ProgressBar::Clear()
   const std::lock_guard<std::mutex> lock(m_Mutex);
   if (m_Shown)
   {
-    std::fputs("\r\033[K", stderr);
-    std::fflush(stderr);
+    PrintMessage("\r\033[K");
     m_Shown = false;
   }
 }

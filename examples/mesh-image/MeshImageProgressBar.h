@@ -23,11 +23,13 @@
 
 namespace meshimage
 {
-/** A line on standard error, redrawn a few times a second; nothing if that is no terminal. */
+/** A line on standard error, redrawn a few times a second. */
 class ProgressBar
 {
 public:
-  explicit ProgressBar(bool quiet);
+  /** Until then nothing is shown, and never if standard error is no terminal. */
+  void
+  EnableOnTerminal();
 
   void
   Show(const char * what, double share);
@@ -38,7 +40,7 @@ public:
 
 private:
   std::mutex                            m_Mutex;
-  bool                                  m_Enabled;
+  bool                                  m_Enabled{ false };
   bool                                  m_Shown{ false };
   const char *                          m_What{ nullptr };
   std::chrono::steady_clock::time_point m_LastTime{};

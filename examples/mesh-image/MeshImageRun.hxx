@@ -20,6 +20,7 @@
 
 #include "MeshImageMessages.h"
 #include "MeshImageRun.h"
+#include "MeshImageStandardError.h"
 #include "MeshImageStopwatch.h"
 
 #include "itkBSplineInterpolateImageFunction.h"
@@ -40,6 +41,7 @@ ReadImage(const Options & options, itk::ImageIOBase * io)
   const auto reader = itk::ImageFileReader<TImage>::New();
   reader->SetFileName(options.image);
   reader->SetImageIO(io);
+  const SilencedLibraries silence;
   try
   {
     reader->Update();

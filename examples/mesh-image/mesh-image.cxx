@@ -23,11 +23,13 @@
 #include "MeshImageProgressBar.h"
 #include "MeshImageReport.h"
 #include "MeshImageRun.h"
+#include "MeshImageStandardError.h"
 #include "MeshImageStopwatch.h"
 
 #include "itkTetrahedralMeshWriter.h"
 
 #include <iostream>
+#include <memory>
 #include <new>
 
 namespace
@@ -82,7 +84,7 @@ MeshImage(const Options & options, Outputs & outputs, ProgressBar & bar)
 
   for (const std::string & warning : run.warnings)
   {
-    std::cerr << "mesh-image: " << warning << std::endl;
+    PrintMessage("mesh-image: " + warning + "\n");
   }
   if (!options.quiet)
   {
@@ -95,7 +97,7 @@ Fail(const std::string & message, int code, ProgressBar & bar)
 {
   WaitForInterrupt();
   bar.Clear();
-  std::cerr << "mesh-image: " << message << std::endl;
+  PrintMessage("mesh-image: " + message + "\n");
   return code;
 }
 } // namespace
@@ -103,48 +105,47 @@ Fail(const std::string & message, int code, ProgressBar & bar)
 int
 main(int argc, char * argv[])
 {
-  std::optional<Options> options;
-  try
-  {
-    options = ParseOptions(argc, argv);
-  }
-  catch (const UsageError & error)
-  {
-    std::cerr << "mesh-image: " << error.what() << " (mesh-image --help lists all options)" << std::endl;
-    return badUsage;
-  }
-  if (!options)
-  {
-    return EXIT_SUCCESS;
-  }
-
-  Outputs     outputs;
-  ProgressBar bar(options->quiet);
-  EndOnInterrupt([&outputs, &bar] {
-    bar.Clear();
-    return outputs.Discard();
+  KeepStandardError();
+  // Shared with the thread that waits for interrupts, which may outlive main.
+  const auto outputs = std::make_shared<Outputs>();
+  const auto bar = std::make_shared<ProgressBar>();
+  EndOnInterrupt([outputs, bar] {
+    bar->Clear();
+    return outputs->Discard();
   });
   // What readers have to say besides their exceptions is for programmers.
   itk::Object::GlobalWarningDisplayOff();
   try
   {
-    MeshImage(*options, outputs, bar);
+    const std::optional<Options> options = ParseOptions(argc, argv);
+    if (options)
+    {
+      if (!options->quiet)
+      {
+        bar->EnableOnTerminal();
+      }
+      MeshImage(*options, *outputs, *bar);
+    }
+  }
+  catch (const UsageError & error)
+  {
+    return Fail(std::string(error.what()) + " (mesh-image --help lists all options)", badUsage, *bar);
   }
   catch (const RunError & error)
   {
-    return Fail(outputs.NameTargets(error.what()), failure, bar);
+    return Fail(outputs->NameTargets(error.what()), failure, *bar);
   }
   catch (const itk::ExceptionObject & error)
   {
-    return Fail(outputs.NameTargets(PlainMessage(error)), failure, bar);
+    return Fail(outputs->NameTargets(PlainMessage(error)), failure, *bar);
   }
   catch (const std::bad_alloc &)
   {
-    return Fail("There is not enough memory: choose a larger --delta or crop the image", failure, bar);
+    return Fail("There is not enough memory: choose a larger --delta or crop the image", failure, *bar);
   }
   catch (const std::exception & error)
   {
-    return Fail(error.what(), failure, bar);
+    return Fail(error.what(), failure, *bar);
   }
   WaitForInterrupt();
   return EXIT_SUCCESS;
