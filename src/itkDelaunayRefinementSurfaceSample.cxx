@@ -18,7 +18,7 @@
 #include "itkDelaunayRefinementSurfaceSample.h"
 
 #include <algorithm>
-#include <iterator>
+#include <numeric>
 #include <random>
 
 namespace itk
@@ -34,6 +34,9 @@ constexpr double CubeSize = 2.0;
 /** Patches smaller than this share of delta are judged by their point alone. */
 constexpr double SmallestPatch = 1e-5;
 
+/** Patches larger than this share of delta are visited in a random order. */
+constexpr double LargePatch = 0.4;
+
 /** Patches smaller than this share of delta are held to belong to one component. */
 constexpr double SmallPatch = 0.3;
 } // namespace
@@ -48,15 +51,18 @@ DelaunayRefinementSurfaceSample::DelaunayRefinementSurfaceSample(const DelaunayR
   , m_Open(oracle.GetSurfacePatches())
 {}
 
-void
-DelaunayRefinementSurfaceSample::Shuffle(std::vector<PatchType> & patches)
+std::vector<std::uint32_t>
+DelaunayRefinementSurfaceSample::MakeRandomOrder(std::size_t length)
 {
   // Written out, as the standard leaves the outcome of std::shuffle open.
-  std::mt19937_64 random(patches.size());
-  for (std::size_t i = patches.size(); i > 1; --i)
+  std::vector<std::uint32_t> order(length);
+  std::iota(order.begin(), order.end(), 0);
+  std::mt19937_64 random(length);
+  for (std::size_t i = length; i > 1; --i)
   {
-    std::swap(patches[i - 1], patches[random() % i]);
+    std::swap(order[i - 1], order[random() % i]);
   }
+  return order;
 }
 
 double
@@ -109,20 +115,40 @@ DelaunayRefinementSurfaceSample::Add(const PointType & point)
 void
 DelaunayRefinementSurfaceSample::Certify(std::vector<PointType> & points)
 {
-  std::vector<PatchType> parts;
-  while (!m_Open.empty())
+  // Large patches in a random order, which keeps the sample sparse.
+  while (!m_Open.empty() && m_Open.front().radius > LargePatch * m_LocalDelta.GetMaximum())
   {
-    this->Shuffle(m_Open);
-    parts.clear();
-    for (const PatchType & patch : m_Open)
+    std::vector<char> isOpen(m_Open.size());
+    for (const std::uint32_t i : MakeRandomOrder(m_Open.size()))
     {
-      if (this->Visit(patch, points) == PatchState::OPEN)
+      isOpen[i] = this->Visit(m_Open[i], points) == PatchState::OPEN ? 1 : 0;
+    }
+    std::vector<PatchType> parts;
+    for (std::size_t i = 0; i < m_Open.size(); ++i)
+    {
+      if (isOpen[i])
       {
-        m_Oracle.SplitSurfacePatch(patch, parts);
+        m_Oracle.SplitSurfacePatch(m_Open[i], parts);
       }
     }
     m_Open.swap(parts);
   }
+  // What they left open in the oracle's order, which keeps neighbors together.
+  std::vector<PatchType> stack;
+  for (const PatchType & patch : m_Open)
+  {
+    stack.assign(1, patch);
+    while (!stack.empty())
+    {
+      const PatchType top = stack.back();
+      stack.pop_back();
+      if (this->Visit(top, points) == PatchState::OPEN)
+      {
+        m_Oracle.SplitSurfacePatch(top, stack);
+      }
+    }
+  }
+  m_Open.clear();
 }
 
 void

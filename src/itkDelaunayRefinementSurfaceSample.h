@@ -48,8 +48,7 @@ public:
   void
   Add(const PointType & point);
 
-  /** Appends the points that R1 inserts, until no part of the surface is open: in a random order that is always the
-   * same, which keeps the sample sparse, large patches first. */
+  /** Appends the points that R1 inserts, until no part of the surface is open; always the same in the same order. */
   void
   Certify(std::vector<PointType> & points);
 
@@ -74,8 +73,8 @@ private:
   PatchState
   Visit(const PatchType & patch, std::vector<PointType> & points);
 
-  void
-  Shuffle(std::vector<PatchType> & patches);
+  static std::vector<std::uint32_t>
+  MakeRandomOrder(std::size_t length);
 
   const DelaunayRefinementOracle &     m_Oracle;
   const DelaunayRefinementLocalDelta & m_LocalDelta;
