@@ -64,7 +64,8 @@ IsCompleteMetaImage(const itk::ImageIOBase & io, const std::string & fileName)
   {
     return HoldsBytes(header.dataFile, header.dataOffset, header.compressedSize);
   }
-  return InflatesToBytes(header.dataFile, header.dataOffset, NumberOfBytes(io));
+  // Without a size, MetaImage takes the file from its first byte on, which only works where the header is elsewhere.
+  return InflatesToBytes(header.dataFile, NumberOfBytes(io));
 }
 
 bool
@@ -144,8 +145,8 @@ RequireCompleteFile(const itk::ImageIOBase & io, const std::string & fileName)
   {
     if (std::strcmp(io.GetNameOfClass(), reader) == 0 && !isComplete(io, fileName))
     {
-      throw RunError(fileName +
-                     " is truncated: it holds fewer voxels than its header promises; copy or export it again");
+      throw RunError(
+        fileName + " is truncated or damaged: it holds fewer voxels than its header promises; copy or export it again");
     }
   }
 }

@@ -57,14 +57,6 @@ OpenGzip(const std::string & fileName)
   return { gzopen(fileName.c_str(), "rb"), gzclose };
 }
 
-/** A stream from \c offset on; failed if the file is shorter. */
-std::ifstream
-OpenAt(const std::string & fileName, std::uint64_t offset)
-{
-  std::ifstream file(fileName, std::ios::binary);
-  file.seekg(static_cast<std::streamoff>(offset));
-  return file;
-}
 } // namespace
 
 std::string
@@ -109,9 +101,9 @@ HoldsBytes(const std::string & fileName, std::uint64_t offset, std::uint64_t wan
 }
 
 bool
-InflatesToBytes(const std::string & fileName, std::uint64_t offset, std::uint64_t wanted)
+InflatesToBytes(const std::string & fileName, std::uint64_t wanted)
 {
-  std::ifstream file = OpenAt(fileName, offset);
+  std::ifstream file(fileName, std::ios::binary);
   z_stream      stream{};
   // Both headers, zlib's and gzip's, are recognized.
   constexpr int anyHeader = 32;
@@ -144,7 +136,8 @@ InflatesToBytes(const std::string & fileName, std::uint64_t offset, std::uint64_
 bool
 HoldsWords(const std::string & fileName, std::uint64_t offset, std::uint64_t wanted)
 {
-  std::ifstream file = OpenAt(fileName, offset);
+  std::ifstream file(fileName, std::ios::binary);
+  file.seekg(static_cast<std::streamoff>(offset));
   std::string   word;
   std::uint64_t found = 0;
   while (found < wanted && file >> word)

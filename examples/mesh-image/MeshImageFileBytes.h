@@ -32,9 +32,9 @@ ReadHead(const std::string & fileName, std::size_t count);
 bool
 HoldsBytes(const std::string & fileName, std::uint64_t offset, std::uint64_t wanted);
 
-/** Whether the zlib or gzip stream that begins at \c offset inflates to at least this many bytes. */
+/** Whether the file is a zlib or gzip stream that inflates to at least this many bytes. */
 bool
-InflatesToBytes(const std::string & fileName, std::uint64_t offset, std::uint64_t wanted);
+InflatesToBytes(const std::string & fileName, std::uint64_t wanted);
 
 /** Whether at least this many words of text, with white space between them, begin at \c offset. */
 bool

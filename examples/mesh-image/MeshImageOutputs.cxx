@@ -64,8 +64,6 @@ MakeHiddenFolder(const fs::path & parent, const std::string & purpose)
 }
 } // namespace
 
-Outputs::~Outputs() { this->Discard(); }
-
 void
 Outputs::Add(const std::string & target)
 {

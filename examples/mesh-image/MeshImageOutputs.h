@@ -26,7 +26,7 @@
 namespace meshimage
 {
 /** The files that a run writes: all of them appear at once in the end, or none. Until then they are kept in folders of
- * their own beside their targets. */
+ * their own beside their targets, until Commit or Discard is called. */
 class Outputs
 {
 public:
@@ -34,7 +34,6 @@ public:
   Outputs(const Outputs &) = delete;
   Outputs &
   operator=(const Outputs &) = delete;
-  ~Outputs();
 
   /** Registers a file. Throws a RunError if its folder is missing or cannot be written to. */
   void

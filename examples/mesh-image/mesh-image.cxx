@@ -93,9 +93,10 @@ MeshImage(const Options & options, Outputs & outputs, ProgressBar & bar)
 }
 
 int
-Fail(const std::string & message, int code, ProgressBar & bar)
+Fail(const std::string & message, int code, Outputs & outputs, ProgressBar & bar)
 {
   WaitForInterrupt();
+  outputs.Discard();
   bar.Clear();
   PrintMessage("mesh-image: " + message + "\n");
   return code;
@@ -129,23 +130,23 @@ main(int argc, char * argv[])
   }
   catch (const UsageError & error)
   {
-    return Fail(std::string(error.what()) + " (mesh-image --help lists all options)", badUsage, *bar);
+    return Fail(std::string(error.what()) + " (mesh-image --help lists all options)", badUsage, *outputs, *bar);
   }
   catch (const RunError & error)
   {
-    return Fail(outputs->NameTargets(error.what()), failure, *bar);
+    return Fail(outputs->NameTargets(error.what()), failure, *outputs, *bar);
   }
   catch (const itk::ExceptionObject & error)
   {
-    return Fail(outputs->NameTargets(PlainMessage(error)), failure, *bar);
+    return Fail(outputs->NameTargets(PlainMessage(error)), failure, *outputs, *bar);
   }
   catch (const std::bad_alloc &)
   {
-    return Fail("There is not enough memory: choose a larger --delta or crop the image", failure, *bar);
+    return Fail("There is not enough memory: choose a larger --delta or crop the image", failure, *outputs, *bar);
   }
   catch (const std::exception & error)
   {
-    return Fail(error.what(), failure, *bar);
+    return Fail(error.what(), failure, *outputs, *bar);
   }
   WaitForInterrupt();
   return EXIT_SUCCESS;
