@@ -73,6 +73,9 @@ public:
   FindClosestSurfacePoint(const PointType & point, double maximumDistance, PointType & closest) const override;
 
   bool
+  IsSurfaceWithin(const PointType & point, double distance) const override;
+
+  bool
   FindFirstCrossing(const PointType & from, const PointType & to, PointType & crossing) const override;
 
   bool

@@ -230,7 +230,7 @@ private:
   CopyResult(const DelaunayRefinementResult & result, double label);
 
   template <typename TCell, typename TCellPoints, typename TNumbering>
-  static void
+  void
   CopyCells(const std::vector<TCellPoints> & from, double label, const TNumbering & numberOf, OutputMeshType * to);
 
   double                             m_Delta{ 0.0 };

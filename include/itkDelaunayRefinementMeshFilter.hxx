@@ -601,8 +601,19 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::CopyCells(const std::vec
   auto       data = OutputMeshType::CellDataContainer::New();
   cells->Reserve(static_cast<IdentifierType>(from.size()));
   data->Reserve(static_cast<IdentifierType>(from.size()));
+  // From here on the mesh owns the cells.
+  to->SetCellsAllocationMethod(MeshEnums::MeshClassCellsAllocationMethod::CellsAllocatedDynamicallyCellByCell);
+  to->SetCells(cells);
+  to->SetCellData(data);
+  constexpr std::size_t cellsBetweenQuestions = 65536;
   for (std::size_t i = 0; i < from.size(); ++i)
   {
+    if (i % cellsBetweenQuestions == 0 && this->GetAbortGenerateData())
+    {
+      this->GetOutput()->Initialize();
+      this->GetBoundaryOutput()->Initialize();
+      this->ThrowUnlessCompleted(DelaunayRefinementEnums::TerminationReason::STOPPED_BY_CALLER);
+    }
     auto * cell = new TCell;
     for (unsigned int j = 0; j < from[i].size(); ++j)
     {
@@ -611,9 +622,6 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::CopyCells(const std::vec
     cells->SetElement(static_cast<IdentifierType>(i), cell);
     data->SetElement(static_cast<IdentifierType>(i), value);
   }
-  to->SetCellsAllocationMethod(MeshEnums::MeshClassCellsAllocationMethod::CellsAllocatedDynamicallyCellByCell);
-  to->SetCells(cells);
-  to->SetCellData(data);
 }
 
 template <typename TInputImage, typename TOutputMesh>

@@ -72,6 +72,10 @@ public:
   virtual bool
   FindClosestSurfacePoint(const PointType & point, double maximumDistance, PointType & closest) const = 0;
 
+  /** Whether a point of the surface lies within \c distance of \c point. Default: by FindClosestSurfacePoint(). */
+  virtual bool
+  IsSurfaceWithin(const PointType & point, double distance) const;
+
   /** Finds the first point of the surface on the way from \c from to \c to. */
   virtual bool
   FindFirstCrossing(const PointType & from, const PointType & to, PointType & crossing) const = 0;

@@ -21,12 +21,16 @@ namespace itk
 {
 DelaunayRefinementComplex::DelaunayRefinementComplex(const DelaunayRefinementOracle & oracle,
                                                      bool                             roundToFloat,
-                                                     const BoundsType &               box,
-                                                     const std::vector<PointType> &   features,
-                                                     const std::vector<double> &      deltas)
+                                                     const BoundsType &               box)
   : m_Oracle(oracle)
   , m_RoundToFloat(roundToFloat)
   , m_Box(box)
+{}
+
+bool
+DelaunayRefinementComplex::Start(const std::vector<PointType> & features,
+                                 const std::vector<double> &    deltas,
+                                 const std::function<bool()> &  keepGoing)
 {
   std::vector<PointType> points;
   points.reserve(features.size() + 8);
@@ -37,7 +41,7 @@ DelaunayRefinementComplex::DelaunayRefinementComplex(const DelaunayRefinementOra
     PointType point;
     for (unsigned int i = 0; i < 3; ++i)
     {
-      point[i] = (corner >> i & 1u) ? box.maximum[i] : box.minimum[i];
+      point[i] = (corner >> i & 1u) ? m_Box.maximum[i] : m_Box.minimum[i];
     }
     points.push_back(point);
     this->AddVertex(VertexKind::BOX_EDGE, 0.0);
@@ -47,13 +51,12 @@ DelaunayRefinementComplex::DelaunayRefinementComplex(const DelaunayRefinementOra
     points.push_back(features[i]);
     this->AddVertex(VertexKind::FEATURE, deltas[i]);
   }
-  m_Triangulation.InsertMany(points);
-  std::vector<IndexType> cells(m_Triangulation.GetNumberOfCellIndexes());
-  for (IndexType cell = 0; cell < cells.size(); ++cell)
+  if (!m_Triangulation.InsertMany(points, keepGoing) || !keepGoing())
   {
-    cells[cell] = cell;
+    return false;
   }
-  this->UpdateStates(cells);
+  this->UpdateStates(m_Triangulation.GetNewCells());
+  return keepGoing();
 }
 
 DelaunayRefinementComplex::IndexType

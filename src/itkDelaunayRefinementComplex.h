@@ -50,13 +50,15 @@ public:
     RegionType                             region;
   };
 
-  /** Starts with the eight corners of the box and with feature vertices strictly inside it, \c deltas holding one for
-   * each. Callers round every point before they insert it. */
-  DelaunayRefinementComplex(const DelaunayRefinementOracle & oracle,
-                            bool                             roundToFloat,
-                            const BoundsType &               box,
-                            const std::vector<PointType> &   features,
-                            const std::vector<double> &      deltas);
+  /** Callers round every point before they insert it. */
+  DelaunayRefinementComplex(const DelaunayRefinementOracle & oracle, bool roundToFloat, const BoundsType & box);
+
+  /** Inserts the eight corners of the box, vertices 1 to 8, and feature vertices strictly inside it, with a delta for
+   * each. False if \c keepGoing, asked now and then, said so; the complex is of no use then. */
+  bool
+  Start(const std::vector<PointType> & features,
+        const std::vector<double> &    deltas,
+        const std::function<bool()> &  keepGoing);
 
   /** To the type in which points are stored in the end. */
   double

@@ -91,7 +91,7 @@ private:
   TerminationReason
   RunAllPhases();
 
-  void
+  bool
   StartComplex(const std::vector<PointType> & seeds);
 
   DelaunayRefinementOracle::BoundsType
@@ -141,9 +141,9 @@ private:
   std::vector<std::uint32_t>
   FindMissingComponents() const;
 
-  /** Tells the caller; remembers a wish to stop. */
-  void
-  ReportProgress();
+  /** Tells the caller how far it is; false if he, now or before, wished to stop. */
+  bool
+  KeepGoing();
 
   static double
   SecondsSince(Clock::time_point start)
@@ -180,12 +180,15 @@ TerminationReason
 DelaunayRefinementEngine::Impl::RunAllPhases()
 {
   auto start = Clock::now();
-  this->ReportProgress();
+  if (!this->KeepGoing())
+  {
+    return m_Reason;
+  }
   m_Sample = std::make_unique<DelaunayRefinementSurfaceSample>(m_Oracle, m_LocalDelta, m_Parameters.roundToFloat);
   std::vector<PointType> seeds;
-  m_Sample->Certify(seeds);
+  const bool isSampled = m_Sample->Certify(seeds, [this] { return this->KeepGoing(); });
   m_Statistics.samplingSeconds = SecondsSince(start);
-  if (m_Reason != TerminationReason::COMPLETED)
+  if (!isSampled)
   {
     return m_Reason;
   }
@@ -199,8 +202,12 @@ DelaunayRefinementEngine::Impl::RunAllPhases()
   }
 
   start = Clock::now();
-  this->StartComplex(seeds);
+  const bool isStarted = this->StartComplex(seeds);
   m_Statistics.insertionSeconds = SecondsSince(start);
+  if (!isStarted)
+  {
+    return m_Reason;
+  }
 
   start = Clock::now();
   this->Refine();
@@ -217,9 +224,12 @@ DelaunayRefinementEngine::Impl::RunAllPhases()
 
   start = Clock::now();
   m_Statistics.missingComponents = this->FindMissingComponents();
-  m_Result = ExtractDelaunayRefinementResult(*m_Complex);
+  if (this->KeepGoing())
+  {
+    m_Result = ExtractDelaunayRefinementResult(*m_Complex);
+  }
   m_Statistics.extractionSeconds = SecondsSince(start);
-  return TerminationReason::COMPLETED;
+  return m_Reason;
 }
 
 DelaunayRefinementOracle::BoundsType
@@ -237,7 +247,7 @@ DelaunayRefinementEngine::Impl::ComputeBox() const
   return box;
 }
 
-void
+bool
 DelaunayRefinementEngine::Impl::StartComplex(const std::vector<PointType> & seeds)
 {
   std::vector<double> deltas;
@@ -246,12 +256,16 @@ DelaunayRefinementEngine::Impl::StartComplex(const std::vector<PointType> & seed
   {
     deltas.push_back(m_LocalDelta.GetAt(seed));
   }
-  m_Complex = std::make_unique<DelaunayRefinementComplex>(
-    m_Oracle, m_Parameters.roundToFloat, this->ComputeBox(), seeds, deltas);
+  m_Complex = std::make_unique<DelaunayRefinementComplex>(m_Oracle, m_Parameters.roundToFloat, this->ComputeBox());
   m_Rules = std::make_unique<DelaunayRefinementRules>(m_Oracle, m_Parameters, *m_Complex, m_LocalDelta);
   m_Encroachment = std::make_unique<DelaunayRefinementEncroachment>(*m_Complex);
   m_Statistics.insertions[static_cast<std::size_t>(RefinementRule::R1)] = seeds.size();
+  if (!m_Complex->Start(seeds, deltas, [this] { return this->KeepGoing(); }))
+  {
+    return false;
+  }
   this->Examine(m_Complex->GetNewCells());
+  return true;
 }
 
 void
@@ -260,9 +274,9 @@ DelaunayRefinementEngine::Impl::Refine()
   // Any order of the rules keeps the proofs. Rules that insert feature vertices go first, as those remove free vertices.
   while (m_Reason == TerminationReason::COMPLETED)
   {
-    if (++m_NumberOfSteps % ProgressInterval == 0)
+    if (++m_NumberOfSteps % ProgressInterval == 0 && !this->KeepGoing())
     {
-      this->ReportProgress();
+      return;
     }
     if (!(this->ApplyR1() || this->ApplyR3() || this->ApplyR2() || this->ApplyR4() || this->MendFlatTetrahedra() ||
           this->LowerDeltaOfMissingComponents()))
@@ -332,13 +346,13 @@ DelaunayRefinementEngine::Impl::ApplyR1()
   }
   // All at once: the points keep their distance from each other and from the vertices there are now.
   std::vector<PointType> points;
-  m_Sample->Certify(points);
+  m_Sample->Certify(points, [this] { return this->KeepGoing(); });
   for (std::size_t i = 0; i < points.size() && m_Reason == TerminationReason::COMPLETED; ++i)
   {
     this->InsertFeature(RefinementRule::R1, points[i], m_Complex->GetTriangulation().GetCellOfVertex(1));
     if (i % ProgressInterval == 0)
     {
-      this->ReportProgress();
+      this->KeepGoing();
     }
   }
   m_IsSampleOpen = false;
@@ -455,6 +469,11 @@ DelaunayRefinementEngine::Impl::Encroach(const DelaunayRefinementEncroachment::P
     return;
   }
   ++m_Statistics.encroachments[static_cast<std::size_t>(proposal.which)];
+  if (m_Complex->GetNumberOfVertices(VertexKind::FREE) == 0 &&
+      (kind == VertexKind::BOX || m_Complex->GetNumberOfVertices(VertexKind::BOX) == 0))
+  {
+    return;
+  }
   // Emptying the ball after the insertion leads to the same triangulation as before it.
   m_Complex->FindVerticesWithin(
     m_Complex->GetTriangulation().GetNumberOfVertexIndexes() - 1, proposal.radius, m_Found);
@@ -579,21 +598,21 @@ DelaunayRefinementEngine::Impl::FindMissingComponents() const
   return missing;
 }
 
-void
-DelaunayRefinementEngine::Impl::ReportProgress()
+bool
+DelaunayRefinementEngine::Impl::KeepGoing()
 {
-  if (!m_Parameters.progress)
+  if (m_Reason == TerminationReason::COMPLETED && m_Parameters.progress)
   {
-    return;
+    const double done = static_cast<double>(m_NumberOfSteps);
+    const double queued = static_cast<double>(m_R2Queue.GetLength() + m_EncroachmentQueue.GetLength() +
+                                              m_R3Queue.GetLength() + m_R4Queue.GetLength());
+    m_Progress = std::max(m_Progress, done / (done + queued + 1.0));
+    if (!m_Parameters.progress(m_Progress))
+    {
+      m_Reason = TerminationReason::STOPPED_BY_CALLER;
+    }
   }
-  const double done = static_cast<double>(m_NumberOfSteps);
-  const double queued =
-    static_cast<double>(m_R2Queue.GetLength() + m_EncroachmentQueue.GetLength() + m_R3Queue.GetLength() + m_R4Queue.GetLength());
-  m_Progress = std::max(m_Progress, done / (done + queued + 1.0));
-  if (!m_Parameters.progress(m_Progress))
-  {
-    m_Reason = TerminationReason::STOPPED_BY_CALLER;
-  }
+  return m_Reason == TerminationReason::COMPLETED;
 }
 
 DelaunayRefinementEngine::DelaunayRefinementEngine(const DelaunayRefinementOracle &     oracle,

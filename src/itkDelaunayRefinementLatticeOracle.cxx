@@ -449,6 +449,15 @@ public:
     return m_IsFound;
   }
 
+  /** Whether there is any, the closest or not. */
+  bool
+  RunForAny()
+  {
+    m_IsAnyEnough = true;
+    PointType any;
+    return this->Run(any);
+  }
+
 private:
   /** To a cube, in lattice coordinates. */
   double
@@ -460,6 +469,19 @@ private:
       separations[i] = std::max({ 0.0, corner[i] - m_Query[i], m_Query[i] - corner[i] - size });
     }
     return m_Oracle.GetLeastSquaredLength(separations);
+  }
+
+  /** Whether a cube lies within the distance that is asked for. */
+  bool
+  IsCubeWithin(const PointType & corner, double size) const
+  {
+    PointType extents;
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      extents[i] = std::max(std::abs(corner[i] - m_Query[i]), std::abs(corner[i] + size - m_Query[i]));
+    }
+    const double length = m_Oracle.GetGreatestLength(extents);
+    return length * length <= m_Best;
   }
 
   /** Bit i set: the query is beyond the middle of the cube along axis i. */
@@ -478,6 +500,12 @@ private:
     const PointType corner{ node[0] * size, node[1] * size, node[2] * size };
     if (!m_Oracle.m_Bricks->IsActiveNode(level, node) || this->GetLeastSquaredDistance(corner, size) >= m_Best)
     {
+      return;
+    }
+    if (m_IsAnyEnough && this->IsCubeWithin(corner, size))
+    {
+      m_Best = -1.0;
+      m_IsFound = true;
       return;
     }
     if (level == 0)
@@ -516,6 +544,12 @@ private:
       {
         const IndexType cell{ 4 * brick[0] + within[0], 4 * brick[1] + within[1], 4 * brick[2] + within[2] };
         const PointType corner{ double(cell[0]), double(cell[1]), double(cell[2]) };
+        if (m_IsAnyEnough && this->IsCubeWithin(corner, 1.0))
+        {
+          m_Best = -1.0;
+          m_IsFound = true;
+          return;
+        }
         if (this->GetLeastSquaredDistance(corner, 1.0) < m_Best)
         {
           m_Oracle.VisitCell(cell, [&](const auto & content) { this->SearchCube(content, corner, corner, 1.0); });
@@ -547,7 +581,8 @@ private:
         const double    squared = m_Oracle.GetSquaredLength(Geometry::Subtract(lattice, m_Query));
         if (squared <= m_Best)
         {
-          m_Best = squared;
+          // Nothing is nearer than less than nothing: the search ends.
+          m_Best = m_IsAnyEnough ? -1.0 : squared;
           m_Closest = lattice;
           m_IsFound = true;
         }
@@ -572,6 +607,7 @@ private:
   double                                  m_Best;
   PointType                               m_Closest{};
   bool                                    m_IsFound{ false };
+  bool                                    m_IsAnyEnough{ false };
 };
 
 bool
@@ -592,6 +628,12 @@ DelaunayRefinementLatticeOracle::FindClosestSurfacePoint(const PointType & point
     closest = crossing;
   }
   return true;
+}
+
+bool
+DelaunayRefinementLatticeOracle::IsSurfaceWithin(const PointType & point, double distance) const
+{
+  return ClosestSearch(*this, this->ToLattice(point), distance).RunForAny();
 }
 
 std::vector<DelaunayRefinementOracle::SurfacePatch>

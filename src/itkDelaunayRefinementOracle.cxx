@@ -21,6 +21,13 @@ namespace itk
 {
 DelaunayRefinementOracle::~DelaunayRefinementOracle() = default;
 
+bool
+DelaunayRefinementOracle::IsSurfaceWithin(const PointType & point, double distance) const
+{
+  PointType closest;
+  return this->FindClosestSurfacePoint(point, distance, closest);
+}
+
 DelaunayRefinementOracle::BoundsType
 DelaunayRefinementOracle::GetComponentBounds(ComponentType) const
 {

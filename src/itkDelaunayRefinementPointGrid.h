@@ -23,7 +23,7 @@
 namespace itk
 {
 /** \class DelaunayRefinementPointGrid
- * \brief Points in a hashed grid of cubes, to find the nearest one within a distance.
+ * \brief Points in a grid of cubes, to find the nearest one within a distance.
  *
  * \ingroup DelaunayRefinement
  */
@@ -32,8 +32,9 @@ class DelaunayRefinementPointGrid
 public:
   using PointType = DelaunayRefinementPoint;
 
-  /** The cubes' edge, best about as long as the distances that will be asked for. */
-  explicit DelaunayRefinementPointGrid(double cubeSize);
+  /** A grid over a box. The cubes' edge is best about as long as the distances that will be asked for; it is longer if
+   * the box would take too many cubes. */
+  DelaunayRefinementPointGrid(const PointType & minimum, const PointType & maximum, double cubeSize);
 
   void
   Add(const PointType & point);
@@ -44,14 +45,7 @@ public:
   FindSquaredDistance(const PointType & point, double radius, double enough) const;
 
 private:
-  /** The indexes of a cube along the three axes, 21 bits each. */
-  using CubeType = std::uint64_t;
-
-  struct EntryType
-  {
-    CubeType     cube;
-    std::int32_t last;
-  };
+  using CubeType = std::array<std::int32_t, 3>;
 
   struct NodeType
   {
@@ -59,26 +53,30 @@ private:
     std::int32_t previous;
   };
 
-  std::uint64_t
-  ToIndex(double coordinate) const;
-
-  static CubeType
-  ToCube(std::uint64_t x, std::uint64_t y, std::uint64_t z)
+  /** Points beyond the box belong to the cubes at its border: slower there, never wrong. */
+  CubeType
+  ToCube(const PointType & point, double offset) const
   {
-    return x | y << 21 | z << 42;
+    CubeType cube;
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      const double index = (point[i] + offset - m_Minimum[i]) * m_InverseSize;
+      cube[i] = index > 0.0 ? index < m_Size[i] ? static_cast<std::int32_t>(index) : m_Size[i] - 1 : 0;
+    }
+    return cube;
   }
 
-  /** The slot of the cube, or the empty one where it belongs. */
   std::size_t
-  FindSlot(CubeType cube) const;
+  ToOffset(std::int32_t x, std::int32_t y, std::int32_t z) const
+  {
+    return (static_cast<std::size_t>(z) * m_Size[1] + y) * m_Size[0] + x;
+  }
 
-  void
-  Grow();
-
-  double                 m_InverseSize;
-  std::size_t            m_Used{ 0 };
-  std::vector<EntryType> m_Slots;
-  std::vector<NodeType>  m_Nodes{};
+  PointType                 m_Minimum;
+  double                    m_InverseSize;
+  CubeType                  m_Size;
+  std::vector<std::int32_t> m_Last{};
+  std::vector<NodeType>     m_Nodes{};
 };
 } // end namespace itk
 

@@ -81,8 +81,7 @@ DelaunayRefinementRules::FiresR2(IndexType cell) const
     }
   }
   const auto & ball = m_Complex.GetState(cell).ball;
-  PointType    closest;
-  return m_Oracle.FindClosestSurfacePoint(ball.center, std::sqrt(ball.squaredRadius), closest);
+  return m_Oracle.IsSurfaceWithin(ball.center, std::sqrt(ball.squaredRadius));
 }
 
 double
@@ -115,22 +114,12 @@ DelaunayRefinementRules::MayFireR3(IndexType cell, unsigned int i) const
   }
   const auto & one = m_Complex.GetState(cell);
   const auto & other = m_Complex.GetState(neighbor);
-  const double threshold = this->ComputeR3Threshold(cell, i);
-  if (std::max(one.ball.squaredRadius, other.ball.squaredRadius) < threshold * threshold)
+  if (one.region == other.region)
   {
     return false;
   }
-  if (one.region != other.region)
-  {
-    return true;
-  }
-  DelaunayRefinementOracle::BoundsType bounds;
-  for (int k = 0; k < 3; ++k)
-  {
-    bounds.minimum[k] = std::min(one.ball.center[k], other.ball.center[k]);
-    bounds.maximum[k] = std::max(one.ball.center[k], other.ball.center[k]);
-  }
-  return m_Oracle.MayIntersectBox(bounds);
+  const double threshold = this->ComputeR3Threshold(cell, i);
+  return std::max(one.ball.squaredRadius, other.ball.squaredRadius) >= threshold * threshold;
 }
 
 bool

@@ -34,6 +34,8 @@ constexpr double CubeSize = 2.0;
 /** Patches smaller than this share of delta are judged by their point alone. */
 constexpr double SmallestPatch = 1e-5;
 
+constexpr std::size_t VisitsBetweenQuestions = 16384;
+
 /** Patches larger than this share of delta are visited in a random order. */
 constexpr double LargePatch = 0.4;
 
@@ -47,7 +49,7 @@ DelaunayRefinementSurfaceSample::DelaunayRefinementSurfaceSample(const DelaunayR
   : m_Oracle(oracle)
   , m_LocalDelta(localDelta)
   , m_RoundToFloat(roundToFloat)
-  , m_Grid(CubeSize * localDelta.GetMaximum())
+  , m_Grid(oracle.GetSurfaceBounds().minimum, oracle.GetSurfaceBounds().maximum, CubeSize * localDelta.GetMaximum())
   , m_Open(oracle.GetSurfacePatches())
 {}
 
@@ -112,15 +114,22 @@ DelaunayRefinementSurfaceSample::Add(const PointType & point)
   m_Grid.Add(point);
 }
 
-void
-DelaunayRefinementSurfaceSample::Certify(std::vector<PointType> & points)
+bool
+DelaunayRefinementSurfaceSample::Certify(std::vector<PointType> & points, const std::function<bool()> & keepGoing)
 {
+  std::size_t numberOfVisits = 0;
+  const auto  mayVisit = [&] { return ++numberOfVisits % VisitsBetweenQuestions != 0 || keepGoing(); };
+
   // Large patches in a random order, which keeps the sample sparse.
   while (!m_Open.empty() && m_Open.front().radius > LargePatch * m_LocalDelta.GetMaximum())
   {
     std::vector<char> isOpen(m_Open.size());
     for (const std::uint32_t i : MakeRandomOrder(m_Open.size()))
     {
+      if (!mayVisit())
+      {
+        return false;
+      }
       isOpen[i] = this->Visit(m_Open[i], points) == PatchState::OPEN ? 1 : 0;
     }
     std::vector<PatchType> parts;
@@ -140,6 +149,10 @@ DelaunayRefinementSurfaceSample::Certify(std::vector<PointType> & points)
     stack.assign(1, patch);
     while (!stack.empty())
     {
+      if (!mayVisit())
+      {
+        return false;
+      }
       const PatchType top = stack.back();
       stack.pop_back();
       if (this->Visit(top, points) == PatchState::OPEN)
@@ -149,6 +162,7 @@ DelaunayRefinementSurfaceSample::Certify(std::vector<PointType> & points)
     }
   }
   m_Open.clear();
+  return true;
 }
 
 void

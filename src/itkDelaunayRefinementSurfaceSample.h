@@ -48,9 +48,10 @@ public:
   void
   Add(const PointType & point);
 
-  /** Appends the points that R1 inserts, until no part of the surface is open; always the same in the same order. */
-  void
-  Certify(std::vector<PointType> & points);
+  /** Appends the points that R1 inserts, until no part of the surface is open; always the same in the same order.
+   * False if \c keepGoing, asked now and then, said so. */
+  bool
+  Certify(std::vector<PointType> & points, const std::function<bool()> & keepGoing);
 
   /** Opens the whole surface again, after delta was lowered somewhere. */
   void

@@ -44,6 +44,8 @@ using DelaunayType =
 using CellHandle = DelaunayType::Cell_handle;
 using VertexHandle = DelaunayType::Vertex_handle;
 
+constexpr std::size_t InsertionsBetweenQuestions = 4096;
+
 GeometryKernel::Point_3
 ToKernel(const DelaunayRefinementPoint & point)
 {
@@ -172,15 +174,6 @@ public:
     }
   }
 
-  void
-  Clear()
-  {
-    m_Owner.m_Cells.clear();
-    m_Owner.m_FreeCells.clear();
-    m_Owner.m_Generations.clear();
-    m_Cells.clear();
-  }
-
 private:
   IndexType
   TakeIndex()
@@ -217,8 +210,9 @@ DelaunayRefinementTriangulation::DelaunayRefinementTriangulation()
 
 DelaunayRefinementTriangulation::~DelaunayRefinementTriangulation() = default;
 
-void
-DelaunayRefinementTriangulation::InsertMany(const std::vector<PointType> & points)
+bool
+DelaunayRefinementTriangulation::InsertMany(const std::vector<PointType> & points,
+                                            const std::function<bool()> &  keepGoing)
 {
   std::vector<GeometryKernel::Point_3> kernelPoints;
   kernelPoints.reserve(points.size());
@@ -237,8 +231,13 @@ DelaunayRefinementTriangulation::InsertMany(const std::vector<PointType> & point
   DelaunayType &            triangulation = m_Kernel->GetTriangulation();
   std::vector<VertexHandle> handles(points.size());
   VertexHandle              last;
+  std::size_t               number = 0;
   for (const std::size_t i : order)
   {
+    if (++number % InsertionsBetweenQuestions == 0 && !keepGoing())
+    {
+      return false;
+    }
     last = last == VertexHandle() ? triangulation.insert(kernelPoints[i]) : triangulation.insert(kernelPoints[i], last);
     handles[i] = last;
   }
@@ -246,7 +245,6 @@ DelaunayRefinementTriangulation::InsertMany(const std::vector<PointType> & point
   {
     m_Kernel->AddVertex(handles[i], points[i]);
   }
-  m_Kernel->Clear();
   std::vector<CellHandle> cells;
   cells.reserve(triangulation.number_of_cells());
   for (auto cell = triangulation.all_cells_begin(); cell != triangulation.all_cells_end(); ++cell)
@@ -254,6 +252,7 @@ DelaunayRefinementTriangulation::InsertMany(const std::vector<PointType> & point
     cells.push_back(cell);
   }
   m_Kernel->Register(cells);
+  return true;
 }
 
 DelaunayRefinementTriangulation::IndexType

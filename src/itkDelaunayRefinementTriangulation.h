@@ -52,10 +52,10 @@ public:
   DelaunayRefinementTriangulation();
   ~DelaunayRefinementTriangulation();
 
-  /** Inserts points, none of which is a vertex already or twice in the list, in an order of its own. Point i becomes
-   * vertex GetNumberOfVertexIndexes() + i. New and deleted cells are not listed. */
-  void
-  InsertMany(const std::vector<PointType> & points);
+  /** Inserts the first points, none of which is twice in the list, in an order of its own. Point i becomes vertex
+   * i + 1. False if \c keepGoing, asked now and then, said so; the triangulation is of no use then. */
+  bool
+  InsertMany(const std::vector<PointType> & points, const std::function<bool()> & keepGoing);
 
   /** Inserts a point near the cell \c hint; at once if it lies within the hint's circumsphere. Returns the new vertex,
    * None if the point is a vertex already. */
