@@ -45,7 +45,7 @@ public:
   };
 
   /** Why a vertex was inserted (paper, section III; R4_PRIME: section VI-B). CELL_SIZE is the user's bound on
-   * circumradii, SHAPE replaces a vertex of a tetrahedron too flat to be stored, MANIFOLD mends the boundary. */
+   * circumradii, SHAPE replaces a vertex of a tetrahedron too flat to be stored. */
   enum class RefinementRule : uint8_t
   {
     R1,
@@ -54,10 +54,9 @@ public:
     R4,
     R4_PRIME,
     CELL_SIZE,
-    SHAPE,
-    MANIFOLD
+    SHAPE
   };
-  static constexpr unsigned int NumberOfRefinementRules = 8;
+  static constexpr unsigned int NumberOfRefinementRules = 7;
 
   /** How a circumcenter on or outside the box was replaced (paper, section III, E1 to E3). */
   enum class EncroachmentCase : uint8_t
@@ -80,13 +79,13 @@ public:
 };
 
 extern DelaunayRefinement_EXPORT std::ostream &
-operator<<(std::ostream & out, DelaunayRefinementEnums::VertexKind value);
+                                 operator<<(std::ostream & out, DelaunayRefinementEnums::VertexKind value);
 extern DelaunayRefinement_EXPORT std::ostream &
-operator<<(std::ostream & out, DelaunayRefinementEnums::RefinementRule value);
+                                 operator<<(std::ostream & out, DelaunayRefinementEnums::RefinementRule value);
 extern DelaunayRefinement_EXPORT std::ostream &
-operator<<(std::ostream & out, DelaunayRefinementEnums::EncroachmentCase value);
+                                 operator<<(std::ostream & out, DelaunayRefinementEnums::EncroachmentCase value);
 extern DelaunayRefinement_EXPORT std::ostream &
-operator<<(std::ostream & out, DelaunayRefinementEnums::TerminationReason value);
+                                 operator<<(std::ostream & out, DelaunayRefinementEnums::TerminationReason value);
 } // end namespace itk
 
 #endif

@@ -141,9 +141,9 @@ protected:
 
   /** Takes the mask, its components and the frame, and sets up the search for the surface. */
   void
-  Initialize(ModelEnum                        model,
-             const FrameType &                frame,
-             DelaunayRefinementVoxelMask      mask,
+  Initialize(ModelEnum                         model,
+             const FrameType &                 frame,
+             DelaunayRefinementVoxelMask       mask,
              DelaunayRefinementVoxelComponents components);
 
   /** GREY: the value of a voxel minus the level; its sign need not agree with the mask, which prevails. */

@@ -235,20 +235,20 @@ private:
 
   double                             m_Delta{ 0.0 };
   bool                               m_DeltaIsSet{ false };
-  double                          m_RadiusEdgeRatioBound{ 2.0 };
-  double                          m_CellSize{ std::numeric_limits<double>::infinity() };
-  double                          m_MinimumDihedralAngle{ 0.0 };
-  SizeValueType                   m_MaximumNumberOfVertices{ NumericTraits<SizeValueType>::max() };
-  double                          m_IsoValue{ 0.0 };
-  bool                            m_IsoValueIsSet{ false };
-  double                          m_LowerThreshold{ -std::numeric_limits<double>::infinity() };
-  bool                            m_LowerThresholdIsSet{ false };
-  double                          m_UpperThreshold{ std::numeric_limits<double>::infinity() };
-  bool                            m_UpperThresholdIsSet{ false };
-  LabelsType                      m_Labels{};
-  bool                            m_MergeLabels{ false };
-  bool                            m_LargestComponentOnly{ false };
-  SizeValueType                   m_MinimumComponentSize{ 1 };
+  double                             m_RadiusEdgeRatioBound{ 2.0 };
+  double                             m_CellSize{ std::numeric_limits<double>::infinity() };
+  double                             m_MinimumDihedralAngle{ 0.0 };
+  SizeValueType                      m_MaximumNumberOfVertices{ NumericTraits<SizeValueType>::max() };
+  double                             m_IsoValue{ 0.0 };
+  bool                               m_IsoValueIsSet{ false };
+  double                             m_LowerThreshold{ -std::numeric_limits<double>::infinity() };
+  bool                               m_LowerThresholdIsSet{ false };
+  double                             m_UpperThreshold{ std::numeric_limits<double>::infinity() };
+  bool                               m_UpperThresholdIsSet{ false };
+  LabelsType                         m_Labels{};
+  bool                               m_MergeLabels{ false };
+  bool                               m_LargestComponentOnly{ false };
+  SizeValueType                      m_MinimumComponentSize{ 1 };
   typename InterpolatorType::Pointer m_Interpolator{};
 
   double                                   m_EffectiveDelta{ 0.0 };

@@ -345,8 +345,9 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::DescribeLabels(const Lab
 
 template <typename TInputImage, typename TOutputMesh>
 void
-DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::VerifyObject(const InputImageType *                  image,
-                                                                     const DelaunayRefinementLatticeOracle & oracle) const
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::VerifyObject(
+  const InputImageType *                  image,
+  const DelaunayRefinementLatticeOracle & oracle) const
 {
   if (oracle.GetNumberOfComponents() > 0)
   {
@@ -459,15 +460,15 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::VerifyMemory(
   const DelaunayRefinementLatticeOracle & oracle,
   const DelaunayRefinementParameters &    parameters) const
 {
-  const double             megabytes = oracle.EstimateNumberOfTetrahedra(parameters) * 1e-3;
+  const double              megabytes = oracle.EstimateNumberOfTetrahedra(parameters) * 1e-3;
   itksys::SystemInformation system;
   system.RunMemoryCheck();
   const double available = static_cast<double>(system.GetAvailablePhysicalMemory());
   if (megabytes > available && available > 0.0)
   {
     itkExceptionMacro("Delta " << parameters.delta << " is too small for this object: the mesh would need some "
-                               << std::ceil(megabytes / 1024.0) << " GB of memory, and " << std::floor(available / 1024.0)
-                               << " GB are free; set a larger Delta or CellSize");
+                               << std::ceil(megabytes / 1024.0) << " GB of memory, and "
+                               << std::floor(available / 1024.0) << " GB are free; set a larger Delta or CellSize");
   }
 }
 
@@ -537,7 +538,8 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::WarnOfComponents()
 
 template <typename TInputImage, typename TOutputMesh>
 void
-DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::CopyResult(const DelaunayRefinementResult & result, double label)
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::CopyResult(const DelaunayRefinementResult & result,
+                                                                   double                           label)
 {
   const auto copyPoints = [](const DelaunayRefinementPoint & from) {
     typename OutputMeshType::PointType to;

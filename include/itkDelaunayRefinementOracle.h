@@ -59,7 +59,7 @@ public:
     double    radius;
     /** Which piece it is, for the oracle. */
     std::array<std::int32_t, 3> index;
-    std::uint8_t level;
+    std::uint8_t                level;
   };
 
   virtual ~DelaunayRefinementOracle();

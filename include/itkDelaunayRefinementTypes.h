@@ -76,7 +76,8 @@ struct DelaunayRefinementStatistics
   /** Vertices inserted by each rule, indexed by DelaunayRefinementEnums::RefinementRule. */
   std::array<std::size_t, DelaunayRefinementEnums::NumberOfRefinementRules> insertions{};
 
-  /** Circumcenters of R2 replaced by each case, indexed by DelaunayRefinementEnums::EncroachmentCase (NONE is unused). */
+  /** Circumcenters of R2 replaced by each case, indexed by DelaunayRefinementEnums::EncroachmentCase (NONE is unused).
+   */
   std::array<std::size_t, DelaunayRefinementEnums::NumberOfEncroachmentCases> encroachments{};
 
   /** Vertices removed around new feature vertices, and by the encroachment cases. */

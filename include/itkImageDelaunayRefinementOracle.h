@@ -86,7 +86,9 @@ public:
 
   /** Takes the buffered region of the image. An interpolator other than linear and nearest neighbors has its input
    * image set to the image if the object is defined by an iso value, else to an indicator image made here. */
-  ImageDelaunayRefinementOracle(const ImageType * image, const ObjectType & object, InterpolatorType * interpolator = nullptr);
+  ImageDelaunayRefinementOracle(const ImageType *  image,
+                                const ObjectType & object,
+                                InterpolatorType * interpolator = nullptr);
 
 protected:
   double
@@ -108,12 +110,12 @@ private:
   void
   PrepareField(const ImageType * image, const ObjectType & object, DelaunayRefinementVoxelMask & mask);
 
-  const PixelType *                   m_Buffer;
-  std::array<std::size_t, 3>          m_Strides{};
-  double                              m_Level;
-  typename InterpolatorType::Pointer  m_Interpolator{};
-  typename ImageType::Pointer         m_Indicator{};
-  typename ImageType::IndexType       m_Start{};
+  const PixelType *                  m_Buffer;
+  std::array<std::size_t, 3>         m_Strides{};
+  double                             m_Level;
+  typename InterpolatorType::Pointer m_Interpolator{};
+  typename ImageType::Pointer        m_Indicator{};
+  typename ImageType::IndexType      m_Start{};
 };
 } // end namespace itk
 

@@ -38,9 +38,8 @@ ImageDelaunayRefinementOracle<TImage>::ImageDelaunayRefinementOracle(const Image
 {
   const auto & size = image->GetBufferedRegion().GetSize();
   m_Strides = { 1, size[0], size[0] * size[1] };
-  DelaunayRefinementVoxelMask mask({ static_cast<std::int32_t>(size[0]),
-                                     static_cast<std::int32_t>(size[1]),
-                                     static_cast<std::int32_t>(size[2]) });
+  DelaunayRefinementVoxelMask mask(
+    { static_cast<std::int32_t>(size[0]), static_cast<std::int32_t>(size[1]), static_cast<std::int32_t>(size[2]) });
 
   const std::string interpolatorName =
     interpolator == nullptr ? "LinearInterpolateImageFunction" : interpolator->GetNameOfClass();
@@ -94,7 +93,7 @@ template <typename TImage>
 typename ImageDelaunayRefinementOracle<TImage>::FrameType
 ImageDelaunayRefinementOracle<TImage>::ComputeFrame(const ImageType * image)
 {
-  const auto & region = image->GetBufferedRegion();
+  const auto &                  region = image->GetBufferedRegion();
   typename ImageType::PointType start;
   image->TransformIndexToPhysicalPoint(region.GetIndex(), start);
   FrameType frame;

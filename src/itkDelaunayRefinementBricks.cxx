@@ -60,7 +60,9 @@ DelaunayRefinementBricks::DelaunayRefinementBricks(const DelaunayRefinementVoxel
             const std::int32_t x = 4 * brickX;
             const std::int32_t low = bits & 1u ? 0 : bits & 2u ? 1 : bits & 4u ? 2 : 3;
             const std::int32_t high = bits & 8u ? 3 : bits & 4u ? 2 : bits & 2u ? 1 : 0;
-            m_FirstCell = { std::min(m_FirstCell[0], x + low), std::min(m_FirstCell[1], y), std::min(m_FirstCell[2], z) };
+            m_FirstCell = { std::min(m_FirstCell[0], x + low),
+                            std::min(m_FirstCell[1], y),
+                            std::min(m_FirstCell[2], z) };
             m_LastCell = { std::max(m_LastCell[0], x + high), std::max(m_LastCell[1], y), std::max(m_LastCell[2], z) };
           }
         }

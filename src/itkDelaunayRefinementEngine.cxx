@@ -186,7 +186,7 @@ DelaunayRefinementEngine::Impl::RunAllPhases()
   }
   m_Sample = std::make_unique<DelaunayRefinementSurfaceSample>(m_Oracle, m_LocalDelta, m_Parameters.roundToFloat);
   std::vector<PointType> seeds;
-  const bool isSampled = m_Sample->Certify(seeds, [this] { return this->KeepGoing(); });
+  const bool             isSampled = m_Sample->Certify(seeds, [this] { return this->KeepGoing(); });
   m_Statistics.samplingSeconds = SecondsSince(start);
   if (!isSampled)
   {
@@ -271,7 +271,8 @@ DelaunayRefinementEngine::Impl::StartComplex(const std::vector<PointType> & seed
 void
 DelaunayRefinementEngine::Impl::Refine()
 {
-  // Any order of the rules keeps the proofs. Rules that insert feature vertices go first, as those remove free vertices.
+  // Any order of the rules keeps the proofs. Rules that insert feature vertices go first, as those remove free
+  // vertices.
   while (m_Reason == TerminationReason::COMPLETED)
   {
     if (++m_NumberOfSteps % ProgressInterval == 0 && !this->KeepGoing())
@@ -461,7 +462,7 @@ DelaunayRefinementEngine::Impl::Insert(RefinementRule    rule,
 void
 DelaunayRefinementEngine::Impl::Encroach(const DelaunayRefinementEncroachment::ProposalType & proposal, IndexType cell)
 {
-  const VertexKind kind = proposal.which == EncroachmentCase::E2 ? VertexKind::BOX : VertexKind::BOX_EDGE;
+  const VertexKind  kind = proposal.which == EncroachmentCase::E2 ? VertexKind::BOX : VertexKind::BOX_EDGE;
   const std::size_t before = m_Complex->GetNumberOfVertices();
   this->Insert(RefinementRule::R2, proposal.point, kind, 0.0, cell);
   if (m_Complex->GetNumberOfVertices() == before)
@@ -475,8 +476,7 @@ DelaunayRefinementEngine::Impl::Encroach(const DelaunayRefinementEncroachment::P
     return;
   }
   // Emptying the ball after the insertion leads to the same triangulation as before it.
-  m_Complex->FindVerticesWithin(
-    m_Complex->GetTriangulation().GetNumberOfVertexIndexes() - 1, proposal.radius, m_Found);
+  m_Complex->FindVerticesWithin(m_Complex->GetTriangulation().GetNumberOfVertexIndexes() - 1, proposal.radius, m_Found);
   for (const IndexType found : m_Found)
   {
     const VertexKind other = m_Complex->GetKind(found);

@@ -59,8 +59,6 @@ operator<<(std::ostream & out, const DelaunayRefinementEnums::RefinementRule val
         return "itk::DelaunayRefinementEnums::RefinementRule::CELL_SIZE";
       case DelaunayRefinementEnums::RefinementRule::SHAPE:
         return "itk::DelaunayRefinementEnums::RefinementRule::SHAPE";
-      case DelaunayRefinementEnums::RefinementRule::MANIFOLD:
-        return "itk::DelaunayRefinementEnums::RefinementRule::MANIFOLD";
       default:
         return "INVALID VALUE FOR itk::DelaunayRefinementEnums::RefinementRule";
     }

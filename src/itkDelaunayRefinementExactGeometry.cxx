@@ -29,7 +29,7 @@ DelaunayRefinementGeometry::ComputeExactCircumsphere(const PointType & a,
                                                      const PointType & d)
 {
   using Kernel = CGAL::Simple_cartesian<CGAL::Exact_rational>;
-  const auto          exact = [](const PointType & p) { return Kernel::Point_3(p[0], p[1], p[2]); };
+  const auto            exact = [](const PointType & p) { return Kernel::Point_3(p[0], p[1], p[2]); };
   const Kernel::Point_3 first = exact(a);
   const Kernel::Point_3 center = CGAL::circumcenter(first, exact(b), exact(c), exact(d));
   return { { CGAL::to_double(center.x()), CGAL::to_double(center.y()), CGAL::to_double(center.z()) },

@@ -29,7 +29,7 @@ DelaunayRefinementResult
 ExtractDelaunayRefinementResult(const DelaunayRefinementComplex & complex)
 {
   using IndexType = DelaunayRefinementComplex::IndexType;
-  const auto &           triangulation = complex.GetTriangulation();
+  const auto &             triangulation = complex.GetTriangulation();
   DelaunayRefinementResult result;
 
   const auto isInside = [&](IndexType cell) {

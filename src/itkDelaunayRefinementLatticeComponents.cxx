@@ -56,8 +56,8 @@ constexpr double LargestDeltaPerRadius = 4.0;
 std::vector<DelaunayRefinementComponent>
 DelaunayRefinementLatticeOracle::ComputeComponents(double enough) const
 {
-  const auto &           infos = m_Components->GetComponents();
-  std::vector<IndexType> centers(infos.size());
+  const auto &              infos = m_Components->GetComponents();
+  std::vector<IndexType>    centers(infos.size());
   std::vector<std::int32_t> longest(infos.size(), 0);
   const auto &              size = m_Mask->GetSize();
   for (std::int32_t z = 0; z < size[2]; ++z)
@@ -77,8 +77,8 @@ DelaunayRefinementLatticeOracle::ComputeComponents(double enough) const
       }
     }
   }
-  const double voxelVolume = std::abs(
-    Geometry::Dot(m_Frame.axes[0], Geometry::Cross(m_Frame.axes[1], m_Frame.axes[2])));
+  const double voxelVolume =
+    std::abs(Geometry::Dot(m_Frame.axes[0], Geometry::Cross(m_Frame.axes[1], m_Frame.axes[2])));
   std::vector<DelaunayRefinementComponent> components(infos.size());
   for (std::size_t i = 0; i < infos.size(); ++i)
   {
@@ -144,9 +144,9 @@ DelaunayRefinementLatticeOracle::EstimateSurfaceArea() const
 {
   std::array<double, 3>               faces{};
   const DelaunayRefinementVoxelMask & mask = *m_Mask;
-  const auto &          size = mask.GetSize();
-  const std::size_t     words = mask.GetWordsPerRow();
-  const auto            count = [](std::uint64_t word) {
+  const auto &                        size = mask.GetSize();
+  const std::size_t                   words = mask.GetWordsPerRow();
+  const auto                          count = [](std::uint64_t word) {
     double number = 0.0;
     for (; word != 0; word &= word - 1)
     {

@@ -58,7 +58,8 @@ Scatter(const std::array<std::int32_t, 3> & index, unsigned int level)
 {
   std::uint64_t state = static_cast<std::uint32_t>(index[0]) * 0x9E3779B97F4A7C15ull ^
                         static_cast<std::uint32_t>(index[1]) * 0xC2B2AE3D27D4EB4Full ^
-                        static_cast<std::uint32_t>(index[2]) * 0x165667B19E3779F9ull ^ (level + 1) * 0xD6E8FEB86659FD93ull;
+                        static_cast<std::uint32_t>(index[2]) * 0x165667B19E3779F9ull ^
+                        (level + 1) * 0xD6E8FEB86659FD93ull;
   PointType numbers;
   for (double & number : numbers)
   {
@@ -90,15 +91,15 @@ DelaunayRefinementLatticeOracle::DelaunayRefinementLatticeOracle() = default;
 DelaunayRefinementLatticeOracle::~DelaunayRefinementLatticeOracle() = default;
 
 void
-DelaunayRefinementLatticeOracle::Initialize(ModelEnum                          model,
-                                            const FrameType &                  frame,
-                                            DelaunayRefinementVoxelMask        mask,
-                                            DelaunayRefinementVoxelComponents  components)
+DelaunayRefinementLatticeOracle::Initialize(ModelEnum                         model,
+                                            const FrameType &                 frame,
+                                            DelaunayRefinementVoxelMask       mask,
+                                            DelaunayRefinementVoxelComponents components)
 {
   m_Model = model;
   m_Frame = frame;
-  const auto &   axes = frame.axes;
-  const double   determinant = Geometry::Dot(axes[0], Geometry::Cross(axes[1], axes[2]));
+  const auto & axes = frame.axes;
+  const double determinant = Geometry::Dot(axes[0], Geometry::Cross(axes[1], axes[2]));
   m_InverseRows = { Geometry::Cross(axes[1], axes[2]),
                     Geometry::Cross(axes[2], axes[0]),
                     Geometry::Cross(axes[0], axes[1]) };
@@ -112,7 +113,9 @@ DelaunayRefinementLatticeOracle::Initialize(ModelEnum                          m
       m_Gram[i][j] = Geometry::Dot(axes[i], axes[j]);
     }
   }
-  const auto cosine = [&](unsigned int i, unsigned int j) { return m_Gram[i][j] / std::sqrt(m_Gram[i][i] * m_Gram[j][j]); };
+  const auto cosine = [&](unsigned int i, unsigned int j) {
+    return m_Gram[i][j] / std::sqrt(m_Gram[i][i] * m_Gram[j][j]);
+  };
   // Rounding errors of a direction matrix are no shear.
   constexpr double noShear = 1e-12;
   m_LeastStretch = std::max(0.0, ComputeLeastEigenvalue(cosine(0, 1), cosine(0, 2), cosine(1, 2)) - noShear);
@@ -310,7 +313,9 @@ DelaunayRefinementLatticeOracle::GetSurfaceBounds() const
 }
 
 bool
-DelaunayRefinementLatticeOracle::FindFirstCrossing(const PointType & from, const PointType & to, PointType & crossing) const
+DelaunayRefinementLatticeOracle::FindFirstCrossing(const PointType & from,
+                                                   const PointType & to,
+                                                   PointType &       crossing) const
 {
   const PointType start = this->ToLattice(from);
   const PointType end = this->ToLattice(to);
@@ -342,11 +347,11 @@ DelaunayRefinementLatticeOracle::FindFirstCrossing(const PointType & from, const
   }
 
   // From brick to brick.
-  const bool          isInside = this->Classify(from) != 0;
-  constexpr double    size = DelaunayRefinementBricks::BrickSize;
-  const IndexType &   levelSize = m_Bricks->GetLevelSize(0);
-  IndexType           brick;
-  IndexType           step{};
+  const bool            isInside = this->Classify(from) != 0;
+  constexpr double      size = DelaunayRefinementBricks::BrickSize;
+  const IndexType &     levelSize = m_Bricks->GetLevelSize(0);
+  IndexType             brick;
+  IndexType             step{};
   std::array<double, 3> next;
   for (unsigned int i = 0; i < 3; ++i)
   {
@@ -361,7 +366,8 @@ DelaunayRefinementLatticeOracle::FindFirstCrossing(const PointType & from, const
     const unsigned int axis = next[0] < next[1] ? (next[0] < next[2] ? 0 : 2) : (next[1] < next[2] ? 1 : 2);
     const double       exit = std::min(next[axis], finish);
     double             found;
-    if (m_Bricks->IsActiveNode(0, brick) && this->FindChangeInBrick(brick, start, direction, share, exit, isInside, found))
+    if (m_Bricks->IsActiveNode(0, brick) &&
+        this->FindChangeInBrick(brick, start, direction, share, exit, isInside, found))
     {
       crossing = this->ToPhysical(Geometry::AddScaled(start, found, direction));
       return true;
@@ -726,8 +732,7 @@ DelaunayRefinementLatticeOracle::MakePatch(const IndexType & index, unsigned int
       return false;
     }
     const PointType local{ index[0] * size - cell[0], index[1] * size - cell[1], index[2] * size - cell[2] };
-    if (shift > 0 &&
-        !this->VisitCell(cell, [&](const auto & content) { return content.MayIntersect(local, size); }))
+    if (shift > 0 && !this->VisitCell(cell, [&](const auto & content) { return content.MayIntersect(local, size); }))
     {
       return false;
     }
@@ -820,8 +825,7 @@ DelaunayRefinementLatticeOracle::FindComponent(const PointType & point) const
       {
         for (std::int32_t x = first[0]; x <= last[0]; ++x)
         {
-          const double squared =
-            this->GetSquaredLength({ x + 1 - lattice[0], y + 1 - lattice[1], z + 1 - lattice[2] });
+          const double squared = this->GetSquaredLength({ x + 1 - lattice[0], y + 1 - lattice[1], z + 1 - lattice[2] });
           if (squared < best && m_Mask->Get(x, y, z))
           {
             best = squared;

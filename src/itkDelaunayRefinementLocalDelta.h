@@ -33,7 +33,8 @@ public:
   using PointType = DelaunayRefinementPoint;
   using ComponentType = DelaunayRefinementOracle::ComponentType;
 
-  DelaunayRefinementLocalDelta(const DelaunayRefinementOracle & oracle, const DelaunayRefinementParameters & parameters);
+  DelaunayRefinementLocalDelta(const DelaunayRefinementOracle &     oracle,
+                               const DelaunayRefinementParameters & parameters);
 
   /** Delta at a point of the surface. */
   double

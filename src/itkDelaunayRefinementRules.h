@@ -61,11 +61,11 @@ public:
    *
    * A surface ball is empty of vertices and its center is on the surface, so that R1, which leaves no surface point
    * farther than delta from a feature vertex, excludes such balls for all restricted facets. What is left to R3 are the
-   * facets between a tetrahedron with its circumcenter inside and one with its circumcenter outside, the mesh's boundary
-   * to be. For them R3 also fires if the radius is not smaller than the facet's shortest edge, which keeps planar angles
-   * above 30 degrees where delta varies, and new edges no shorter than old ones; and, for rhoBar >= 2, if a vertex of
-   * the facet is off the surface, which Lemma 5 excludes for a constant delta: new edges are at least half of those at
-   * that vertex then, and no shorter than a quarter of delta. */
+   * facets between a tetrahedron with its circumcenter inside and one with its circumcenter outside, the mesh's
+   * boundary to be. For them R3 also fires if the radius is not smaller than the facet's shortest edge, which keeps
+   * planar angles above 30 degrees where delta varies, and new edges no shorter than old ones; and, for rhoBar >= 2, if
+   * a vertex of the facet is off the surface, which Lemma 5 excludes for a constant delta: new edges are at least half
+   * of those at that vertex then, and no shorter than a quarter of delta. */
   bool
   FiresR3(IndexType cell, unsigned int i, PointType & center) const;
 

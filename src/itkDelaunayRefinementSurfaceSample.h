@@ -29,8 +29,8 @@ namespace itk
  *
  * The paper asks R1 of the surface points closest to circumcenters, which all lie on the surface; here every patch of
  * the surface is certified to lie within delta of one feature vertex, or split, or given a vertex. So R1 in the paper's
- * words can't fire either once Certify() is done, feature vertices never being removed. Vertices keep a little less than
- * delta between them, so that certification ends.
+ * words can't fire either once Certify() is done, feature vertices never being removed. Vertices keep a little less
+ * than delta between them, so that certification ends.
  *
  * \ingroup DelaunayRefinement
  */

@@ -223,10 +223,10 @@ DelaunayRefinementTriangulation::InsertMany(const std::vector<PointType> & point
   std::vector<std::size_t> order(points.size());
   std::iota(order.begin(), order.end(), 0);
   using PointMap = CGAL::Pointer_property_map<GeometryKernel::Point_3>::type;
-  CGAL::spatial_sort(order.begin(),
-                     order.end(),
-                     CGAL::Spatial_sort_traits_adapter_3<GeometryKernel, PointMap>(
-                       CGAL::make_property_map(kernelPoints)));
+  CGAL::spatial_sort(
+    order.begin(),
+    order.end(),
+    CGAL::Spatial_sort_traits_adapter_3<GeometryKernel, PointMap>(CGAL::make_property_map(kernelPoints)));
 
   DelaunayType &            triangulation = m_Kernel->GetTriangulation();
   std::vector<VertexHandle> handles(points.size());

@@ -182,8 +182,12 @@ DelaunayRefinementVoxelComponents::Summarize()
           info.firstVoxel = { run.first, y, z };
         }
         info.numberOfVoxels += static_cast<std::size_t>(run.last - run.first + 1);
-        info.minimum = { std::min(info.minimum[0], run.first), std::min(info.minimum[1], y), std::min(info.minimum[2], z) };
-        info.maximum = { std::max(info.maximum[0], run.last), std::max(info.maximum[1], y), std::max(info.maximum[2], z) };
+        info.minimum = { std::min(info.minimum[0], run.first),
+                         std::min(info.minimum[1], y),
+                         std::min(info.minimum[2], z) };
+        info.maximum = { std::max(info.maximum[0], run.last),
+                         std::max(info.maximum[1], y),
+                         std::max(info.maximum[2], z) };
       }
     }
   }
@@ -233,7 +237,7 @@ DelaunayRefinementVoxelComponents::Find(std::int32_t x, std::int32_t y, std::int
   const std::size_t row = static_cast<std::size_t>(z) * m_Size[1] + y;
   const auto        begin = m_Runs.begin() + static_cast<std::ptrdiff_t>(m_FirstRuns[row]);
   const auto        end = m_Runs.begin() + static_cast<std::ptrdiff_t>(m_FirstRuns[row + 1]);
-  const auto        after = std::upper_bound(begin, end, x, [](std::int32_t a, const RunType & run) { return a < run.first; });
+  const auto after = std::upper_bound(begin, end, x, [](std::int32_t a, const RunType & run) { return a < run.first; });
   return after == begin ? 0 : (after - 1)->component;
 }
 } // end namespace itk

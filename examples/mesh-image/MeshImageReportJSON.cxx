@@ -87,7 +87,6 @@ Rules(const itk::DelaunayRefinementStatistics & statistics)
            { "R4'", insertions(Rule::R4_PRIME) },
            { "cell_size", insertions(Rule::CELL_SIZE) },
            { "shape", insertions(Rule::SHAPE) },
-           { "manifold", insertions(Rule::MANIFOLD) },
            { "E1", encroachments(Case::E1) },
            { "E2", encroachments(Case::E2) },
            { "E3", encroachments(Case::E3) },
