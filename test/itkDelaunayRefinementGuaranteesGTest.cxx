@@ -126,14 +126,14 @@ TEST_P(SmoothShapes, KeepAllGuarantees)
     ExpectTopology(mesh, shape.topology);
     ExpectCircumcentersInside(run.result, oracle);
     ExpectSmallSurfaceBalls(mesh, oracle, delta);
-    EXPECT_LT(ComputeCoverage(oracle, run.result, delta / 8.0), delta);
+    EXPECT_LT(ComputeCoverage(oracle, run.result, delta / 4.0), delta);
     EXPECT_GT(ComputeShortestEdge(run.result), 0.998 * delta);
 
     const double largestDistance = ComputeMaximumDistance(SampleBoundary(mesh, delta / 4.0), [&](const PointType & p) {
       return std::abs(oracle.ComputeSignedDistance(p));
     });
     EXPECT_LT(largestDistance, largestDeviation + 1e-5);
-    EXPECT_LT(ComputeDistanceToBoundary(SampleSurface(oracle, delta / 5.0), mesh), largestDeviation + 1e-5);
+    EXPECT_LT(ComputeDistanceToBoundary(SampleSurface(oracle, delta / 2.5), mesh), largestDeviation + 1e-5);
     EXPECT_NEAR(ComputeVolume(mesh) / oracle.ComputeVolume(), 1.0, 3.0 * largestDeviation / shape.smallestRadius);
   }
 }
@@ -165,9 +165,7 @@ TEST_P(SmoothShapes, HaveBoundaryVerticesOnTheSurface)
     {
       for (const PointType & point : run.result.points)
       {
-        EXPECT_EQ(
-          point,
-          (PointType{ static_cast<float>(point[0]), static_cast<float>(point[1]), static_cast<float>(point[2]) }));
+        EXPECT_EQ(point, RoundToFloat(point));
       }
     }
   }
@@ -230,7 +228,7 @@ TEST(DelaunayRefinementGuarantees, PlateThickerThanDeltaHasNoHoles)
   ASSERT_NO_FATAL_FAILURE(ExpectCompleted(run));
   const CheckedMesh mesh = MakeCheckedMesh(run.result);
   ExpectTopology(mesh, { 1, 1, 2 });
-  EXPECT_LT(ComputeCoverage(plate, run.result, 0.05), 0.8);
+  EXPECT_LT(ComputeCoverage(plate, run.result, 0.2), 0.8);
   EXPECT_NEAR(ComputeVolume(mesh) / plate.ComputeVolume(), 1.0, 0.1);
 }
 
@@ -282,7 +280,7 @@ TEST(DelaunayRefinementGuarantees, ComponentDeltaHoldsForItsComponent)
   ExpectTopology(mesh, { 2, 2, 4 });
 
   const PointLocator features(GetFeaturePoints(run.result));
-  for (const PointType & sample : SampleSurface(balls, 0.1))
+  for (const PointType & sample : SampleSurface(balls, 0.3))
   {
     EXPECT_LT(features.FindDistance(sample), sample[0] > 0.0 ? fine : coarse);
   }
@@ -327,8 +325,19 @@ TEST(DelaunayRefinementGuarantees, HoldFarFromTheOrigin)
         ASSERT_NO_FATAL_FAILURE(ExpectCompleted(run));
         const CheckedMesh mesh = MakeCheckedMesh(run.result);
         ExpectGuarantees(mesh);
+        if (roundToFloat)
+        {
+          // What a mesh of floats stores is what the engine judged.
+          CheckedMesh stored = mesh;
+          for (PointType & point : stored.points)
+          {
+            point = RoundToFloat(point);
+          }
+          EXPECT_TRUE(stored.points == mesh.points);
+          ExpectGuarantees(stored);
+        }
         EXPECT_NEAR(ComputeVolume(mesh) / oracle->ComputeVolume(), 1.0, 0.15);
-        EXPECT_LT(ComputeCoverage(*oracle, run.result, delta / 10.0), delta + (roundToFloat ? 0.01 : 0.0));
+        EXPECT_LT(ComputeCoverage(*oracle, run.result, delta / 4.0), delta + (roundToFloat ? 0.01 : 0.0));
       }
     }
   }

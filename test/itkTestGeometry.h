@@ -100,6 +100,20 @@ ComputeAngle(const LongVectorType & a, const LongVectorType & b)
   return static_cast<double>(std::atan2(Norm(Cross(a, b)), Dot(a, b)) * 180.0L / Pi);
 }
 
+/** To single precision and back. Volatile, as GCC 12 leaves out pairs of such conversions when it vectorizes. */
+inline double
+RoundToFloat(double value)
+{
+  const volatile float rounded = static_cast<float>(value);
+  return rounded;
+}
+
+inline PointType
+RoundToFloat(const PointType & point)
+{
+  return { RoundToFloat(point[0]), RoundToFloat(point[1]), RoundToFloat(point[2]) };
+}
+
 /** \class ExactSum
  * \brief A sum of doubles without rounding errors: nonoverlapping terms of growing size.
  *

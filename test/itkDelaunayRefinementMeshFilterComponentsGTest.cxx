@@ -1,0 +1,203 @@
+/*=========================================================================
+ *
+ *  Copyright The DelaunayRefinement Contributors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+
+#include "itkDelaunayRefinementMeshFilter.h"
+
+#include "itkFilterRun.h"
+
+#include <sstream>
+
+using namespace itk::DelaunayRefinementTest;
+
+namespace
+{
+const PointType origin{ 0.0, 0.0, 0.0 };
+
+LabelImageType::Pointer
+MakeTwoBalls()
+{
+  return MakeMask(MakeCubeGeometry(32), TwoBallsOracle(origin, 6.0, 3.0, 4.0));
+}
+} // namespace
+
+TEST(DelaunayRefinementMeshFilterComponents, AreDescribed)
+{
+  const auto image = MakeTwoBalls();
+  const auto filter = MakeFilter(image.GetPointer(), 1.5);
+  filter->Update();
+  const auto & components = filter->GetComponents();
+  ASSERT_EQ(components.size(), 2u);
+  double volume = 0.0;
+  for (const auto & component : components)
+  {
+    EXPECT_DOUBLE_EQ(component.volume, static_cast<double>(component.numberOfVoxels));
+    volume += component.volume;
+    itk::Index<3>             index;
+    LabelImageType::PointType point;
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      point[i] = component.firstVoxel[i];
+    }
+    ASSERT_TRUE(image->TransformPhysicalPointToIndex(point, index));
+    EXPECT_EQ(image->GetPixel(index), 1);
+  }
+  EXPECT_DOUBLE_EQ(volume, ComputeVoxelVolume(image.GetPointer()));
+  EXPECT_TRUE(filter->GetWarnings().empty());
+}
+
+TEST(DelaunayRefinementMeshFilterComponents, LargestOnly)
+{
+  const auto image = MakeTwoBalls();
+  const auto filter = MakeFilter(image.GetPointer(), 1.5);
+  filter->LargestComponentOnlyOn();
+  filter->Update();
+  const CheckedMesh mesh = GetMesh(filter.GetPointer());
+  ExpectGuarantees(mesh);
+  ExpectTopology(mesh, { 1, 1, 2 });
+  EXPECT_LT(ComputeCentroid(mesh)[0], 0.0);
+  EXPECT_NEAR(ComputeVolume(mesh) / BallOracle(origin, 6.0).ComputeVolume(), 1.0, 0.06);
+
+  filter->LargestComponentOnlyOff();
+  filter->Update();
+  ExpectTopology(GetMesh(filter.GetPointer()), { 2, 2, 4 });
+}
+
+TEST(DelaunayRefinementMeshFilterComponents, MinimumSize)
+{
+  const auto image = MakeTwoBalls();
+  const auto filter = MakeFilter(image.GetPointer(), 1.5);
+  filter->Update();
+  const auto & components = filter->GetComponents();
+  ASSERT_EQ(components.size(), 2u);
+  const auto smaller = std::min(components[0].numberOfVoxels, components[1].numberOfVoxels);
+  const auto larger = std::max(components[0].numberOfVoxels, components[1].numberOfVoxels);
+
+  filter->SetMinimumComponentSize(smaller);
+  filter->Update();
+  ExpectTopology(GetMesh(filter.GetPointer()), { 2, 2, 4 });
+
+  filter->SetMinimumComponentSize(smaller + 1);
+  filter->Update();
+  ExpectTopology(GetMesh(filter.GetPointer()), { 1, 1, 2 });
+  EXPECT_EQ(filter->GetComponents().size(), 1u);
+
+  filter->SetMinimumComponentSize(larger + 1);
+  ExpectError(filter.GetPointer(), { "MinimumComponentSize" });
+}
+
+TEST(DelaunayRefinementMeshFilterComponents, NoneOfEightVoxelsIsLost)
+{
+  // 27 blocks of 2 x 2 x 2 voxels, a bar and a large block, at a delta larger than all of them.
+  std::vector<std::array<int, 3>> voxels;
+  std::vector<PointType>          centers;
+  for (int z = 0; z < 3; ++z)
+  {
+    for (int y = 0; y < 3; ++y)
+    {
+      for (int x = 0; x < 3; ++x)
+      {
+        const auto block = MakeFilling(255, { 2 + 6 * x, 3 + 7 * y, 4 + 8 * z });
+        voxels.insert(voxels.end(), block.begin(), block.end());
+        centers.push_back({ 2.5 + 6 * x, 3.5 + 7 * y, 4.5 + 8 * z });
+      }
+    }
+  }
+  for (int i = 0; i < 8; ++i)
+  {
+    voxels.push_back({ 20, 10 + i, 27 });
+    for (int j = 0; j < 64; ++j)
+    {
+      voxels.push_back({ 20 + i, 20 + j / 8, 10 + j % 8 });
+    }
+  }
+  centers.push_back({ 20.0, 13.5, 27.0 });
+  centers.push_back({ 23.5, 23.5, 13.5 });
+  const auto image = MakeVoxels(32, voxels);
+  for (const double delta : { 60.0, 4.0, 1.0 })
+  {
+    const auto filter = MakeFilter(image.GetPointer(), delta);
+    filter->Update();
+    const CheckedMesh mesh = GetMesh(filter.GetPointer());
+    ExpectGuarantees(mesh);
+    EXPECT_EQ(filter->GetComponents().size(), centers.size());
+    EXPECT_GE(CountVolumeComponents(mesh), centers.size());
+    EXPECT_TRUE(filter->GetStatistics().missingComponents.empty());
+    const PointLocator points(mesh.points);
+    for (const PointType & center : centers)
+    {
+      EXPECT_LT(points.FindDistance(center), 4.5);
+    }
+    // Where delta was lowered, it is said.
+    EXPECT_EQ(filter->GetWarnings().empty(), filter->GetStatistics().loweredDeltas.empty());
+    if (delta == 60.0)
+    {
+      EXPECT_FALSE(filter->GetWarnings().empty());
+    }
+    EXPECT_EQ(filter->GetEffectiveDelta(), delta);
+  }
+}
+
+TEST(DelaunayRefinementMeshFilterComponents, SmallOnesAreMeshedOrNamed)
+{
+  std::vector<std::array<int, 3>> voxels = MakeFilling(255, { 2, 2, 2 });
+  voxels.push_back({ 10, 10, 10 });
+  voxels.push_back({ 15, 4, 8 });
+  voxels.push_back({ 16, 4, 8 });
+  const auto image = MakeVoxels(20, voxels);
+  for (const double delta : { 0.5, 3.0, 20.0 })
+  {
+    const auto filter = MakeFilter(image.GetPointer(), delta);
+    filter->Update();
+    const CheckedMesh mesh = GetMesh(filter.GetPointer());
+    ExpectGuarantees(mesh);
+    ASSERT_EQ(filter->GetComponents().size(), 3u);
+    const auto &       missing = filter->GetStatistics().missingComponents;
+    const PointLocator points(mesh.points);
+    for (std::uint32_t i = 0; i < 3; ++i)
+    {
+      const bool isMissing = std::find(missing.begin(), missing.end(), i) != missing.end();
+      EXPECT_EQ(points.FindDistance(filter->GetComponents()[i].firstVoxel) > 2.5, isMissing) << "component " << i;
+    }
+    std::string warnings;
+    for (const std::string & warning : filter->GetWarnings())
+    {
+      warnings += warning;
+    }
+    EXPECT_EQ(warnings.find("missing") != std::string::npos, !missing.empty()) << warnings;
+    for (const std::uint32_t number : missing)
+    {
+      const auto &       component = filter->GetComponents()[number];
+      std::ostringstream place;
+      place << " at (" << component.firstVoxel[0] << ", " << component.firstVoxel[1] << ", " << component.firstVoxel[2];
+      EXPECT_NE(warnings.find(place.str()), std::string::npos) << place.str() << " is not in: " << warnings;
+    }
+  }
+}
+
+TEST(DelaunayRefinementMeshFilterComponents, VoxelsThatShareAnEdgeAreOne)
+{
+  const auto atEdge = MakeVoxels(5, { { 1, 1, 1 }, { 2, 2, 1 } });
+  const auto atCorner = MakeVoxels(5, { { 1, 1, 1 }, { 2, 2, 2 } });
+  const auto countComponents = [](const LabelImageType * image) {
+    const auto filter = MakeFilter(image, 0.7);
+    filter->Update();
+    return filter->GetComponents().size();
+  };
+  EXPECT_EQ(countComponents(atEdge), 1u);
+  EXPECT_EQ(countComponents(atCorner), 2u);
+}
