@@ -131,7 +131,7 @@ public:
   bool
   IsNegligible(const DelaunayRefinementComponent & component, double delta) const;
 
-  /** A rough estimate of the number of tetrahedra of the whole triangulation. */
+  /** A rough estimate of the number of tetrahedra of the mesh. */
   double
   EstimateNumberOfTetrahedra(const DelaunayRefinementParameters & parameters) const;
 

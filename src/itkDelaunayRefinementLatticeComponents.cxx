@@ -29,11 +29,10 @@ namespace
 using Geometry = DelaunayRefinementGeometry;
 
 /** Tetrahedra of the mesh for each delta squared of surface, as measured on brains and livers. */
-constexpr double TetrahedraPerArea = 3.0;
+constexpr double TetrahedraPerArea = 3.4;
 
-/** Tetrahedra of the whole triangulation for each one of the mesh, and for each cell size cubed of volume. */
-constexpr double AllPerInner = 3.0;
-constexpr double TetrahedraPerVolume = 8.0;
+/** Tetrahedra of the mesh for each cell size cubed of volume, as measured on a ball. */
+constexpr double TetrahedraPerVolume = 6.0;
 
 constexpr double MostDefaultTetrahedra = 3e5;
 
@@ -220,6 +219,6 @@ DelaunayRefinementLatticeOracle::EstimateNumberOfTetrahedra(const DelaunayRefine
 {
   const double surface = TetrahedraPerArea * this->EstimateSurfaceArea() / (parameters.delta * parameters.delta);
   const double volume = TetrahedraPerVolume * this->ComputeVoxelVolume() / std::pow(parameters.cellSize, 3);
-  return AllPerInner * (surface + volume);
+  return surface + volume;
 }
 } // end namespace itk
