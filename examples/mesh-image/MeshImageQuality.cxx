@@ -45,40 +45,39 @@ GetCorners(const MeshType & mesh, const MeshType::CellType & cell)
   return corners;
 }
 
-/** In degrees; exact also near 0 and 180, where the cosine is not. */
+/** From what is proportional to its sine and its cosine: exact also near 0 and 180, where the cosine alone is not. */
 double
-AngleBetween(const VectorType & a, const VectorType & b)
+AngleInDegrees(double sine, double cosine)
 {
-  return std::atan2(itk::CrossProduct(a, b).GetNorm(), a * b) * 180.0 / itk::Math::pi;
-}
-
-/** Radius of the sphere through the corners of a tetrahedron, one of which is the origin. */
-double
-Circumradius(const VectorType & a, const VectorType & b, const VectorType & c)
-{
-  const VectorType bc = itk::CrossProduct(b, c);
-  const VectorType numerator = bc * a.GetSquaredNorm() + itk::CrossProduct(c, a) * b.GetSquaredNorm() +
-                               itk::CrossProduct(a, b) * c.GetSquaredNorm();
-  return numerator.GetNorm() / std::abs(2.0 * (a * bc));
+  return std::atan2(sine, cosine) * 180.0 / itk::Math::pi;
 }
 
 void
 MeasureTetrahedron(const std::array<PointType, 4> & corners, Quality & quality)
 {
-  // Each edge with the two corners opposite to it, whose faces meet there.
+  // Each edge, with the corners opposite to the two faces that meet there.
   constexpr unsigned int edges[6][4] = { { 0, 1, 2, 3 }, { 0, 2, 1, 3 }, { 0, 3, 1, 2 },
                                          { 1, 2, 0, 3 }, { 1, 3, 0, 2 }, { 2, 3, 0, 1 } };
 
+  const VectorType a = corners[1] - corners[0];
+  const VectorType b = corners[2] - corners[0];
+  const VectorType c = corners[3] - corners[0];
+  // Normals of the faces opposite to the corners, twice as long as the face is large, all outward or all inward.
+  const std::array<VectorType, 4> normals{ { itk::CrossProduct(corners[2] - corners[1], corners[3] - corners[1]),
+                                             itk::CrossProduct(c, b),
+                                             itk::CrossProduct(a, c),
+                                             itk::CrossProduct(b, a) } };
+  const double                    sixVolumes = std::abs(a * normals[1]);
+
   double shortest = std::numeric_limits<double>::infinity();
-  for (const auto & edge : edges)
+  for (const auto & [from, to, left, right] : edges)
   {
-    const VectorType along = corners[edge[1]] - corners[edge[0]];
-    const double     length = along.GetNorm();
+    const double length = (corners[to] - corners[from]).GetNorm();
     shortest = std::min(shortest, length);
     quality.edgeMaximum = std::max(quality.edgeMaximum, length);
 
-    const double angle = AngleBetween(itk::CrossProduct(along, corners[edge[2]] - corners[edge[0]]),
-                                      itk::CrossProduct(along, corners[edge[3]] - corners[edge[0]]));
+    // The cross product of the two normals is the edge times sixVolumes.
+    const double angle = AngleInDegrees(sixVolumes * length, -(normals[left] * normals[right]));
     quality.dihedralAngleMinimum = std::min(quality.dihedralAngleMinimum, angle);
     quality.dihedralAngleMaximum = std::max(quality.dihedralAngleMaximum, angle);
     const auto bin = static_cast<std::size_t>(angle / Quality::binWidth);
@@ -86,7 +85,9 @@ MeasureTetrahedron(const std::array<PointType, 4> & corners, Quality & quality)
   }
   quality.edgeMinimum = std::min(quality.edgeMinimum, shortest);
 
-  const double radius = Circumradius(corners[1] - corners[0], corners[2] - corners[0], corners[3] - corners[0]);
+  const VectorType toCenter =
+    normals[1] * a.GetSquaredNorm() + normals[2] * b.GetSquaredNorm() + normals[3] * c.GetSquaredNorm();
+  const double radius = toCenter.GetNorm() / (2.0 * sixVolumes);
   quality.radiusEdgeRatioMaximum = std::max(quality.radiusEdgeRatioMaximum, radius / shortest);
 }
 
@@ -95,9 +96,10 @@ MeasureTriangle(const std::array<PointType, 3> & corners, Quality & quality)
 {
   for (unsigned int i = 0; i < 3; ++i)
   {
-    const PointType & corner = corners[i];
-    quality.boundaryAngleMinimum = std::min(quality.boundaryAngleMinimum,
-                                            AngleBetween(corners[(i + 1) % 3] - corner, corners[(i + 2) % 3] - corner));
+    const VectorType a = corners[(i + 1) % 3] - corners[i];
+    const VectorType b = corners[(i + 2) % 3] - corners[i];
+    quality.boundaryAngleMinimum =
+      std::min(quality.boundaryAngleMinimum, AngleInDegrees(itk::CrossProduct(a, b).GetNorm(), a * b));
   }
 }
 } // namespace
