@@ -212,6 +212,10 @@ private:
   double
   GetLeastSpacing() const;
 
+  /** For each component a voxel that is likely to be far from the surface; up to \c enough matters. */
+  std::vector<IndexType>
+  FindThickVoxels(double enough) const;
+
   double
   ClimbToInscribedRadius(const IndexType & voxel, double enough) const;
 

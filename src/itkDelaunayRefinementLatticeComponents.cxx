@@ -42,6 +42,10 @@ constexpr double DefaultDeltaInVoxels = 1.5;
 /** No component gets a delta below this many voxels at the start. */
 constexpr double LeastDeltaInVoxels = 0.1;
 
+/** A component that holds no larger ball, in voxels, has no shape worth a fine mesh: it gets a larger delta. */
+constexpr double ThinInVoxels = 0.75;
+constexpr double DeltaPerRadiusOfThin = 1.5;
+
 /** A component of fewer voxels may be left out. */
 constexpr std::size_t FewVoxels = 8;
 
@@ -55,28 +59,9 @@ constexpr double LargestDeltaPerRadius = 4.0;
 std::vector<DelaunayRefinementComponent>
 DelaunayRefinementLatticeOracle::ComputeComponents(double enough) const
 {
-  const auto &              infos = m_Components->GetComponents();
-  std::vector<IndexType>    centers(infos.size());
-  std::vector<std::int32_t> longest(infos.size(), 0);
-  const auto &              size = m_Mask->GetSize();
-  for (std::int32_t z = 0; z < size[2]; ++z)
-  {
-    for (std::int32_t y = 0; y < size[1]; ++y)
-    {
-      const std::size_t begin = m_Components->GetFirstRun(y, z);
-      const std::size_t end = m_Components->GetFirstRun(y + 1, z);
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        const auto & run = m_Components->GetRuns()[i];
-        if (run.last - run.first + 1 > longest[run.component])
-        {
-          longest[run.component] = run.last - run.first + 1;
-          centers[run.component] = { (run.first + run.last) / 2, y, z };
-        }
-      }
-    }
-  }
-  const double voxelVolume =
+  const auto &                 infos = m_Components->GetComponents();
+  const std::vector<IndexType> centers = this->FindThickVoxels(enough);
+  const double                 voxelVolume =
     std::abs(Geometry::Dot(m_Frame.axes[0], Geometry::Cross(m_Frame.axes[1], m_Frame.axes[2])));
   std::vector<DelaunayRefinementComponent> components(infos.size());
   for (std::size_t i = 0; i < infos.size(); ++i)
@@ -90,6 +75,61 @@ DelaunayRefinementLatticeOracle::ComputeComponents(double enough) const
                                       : this->ClimbToInscribedRadius(centers[i], enough);
   }
   return components;
+}
+
+std::vector<DelaunayRefinementLatticeOracle::IndexType>
+DelaunayRefinementLatticeOracle::FindThickVoxels(double enough) const
+{
+  // The middles of some runs of each component; the thickness is that along the axis where it is least.
+  constexpr std::size_t    mostCandidates = 256;
+  const auto &             runs = m_Components->GetRuns();
+  const auto &             size = m_Mask->GetSize();
+  std::vector<std::size_t> numbersOfRuns(m_Components->GetComponents().size(), 0);
+  for (const auto & run : runs)
+  {
+    ++numbersOfRuns[run.component];
+  }
+  std::vector<std::size_t> seen(numbersOfRuns.size(), 0);
+  std::vector<double>      best(numbersOfRuns.size(), 0.0);
+  std::vector<IndexType>   thickest(numbersOfRuns.size());
+  const auto               measure = [&](const IndexType & voxel, unsigned int axis) {
+    const double spacing = std::sqrt(m_Gram[axis][axis]);
+    IndexType    low = voxel;
+    IndexType    high = voxel;
+    double       width = 0.0;
+    while (width < enough && m_Mask->Get(low[0], low[1], low[2]) && m_Mask->Get(high[0], high[1], high[2]))
+    {
+      --low[axis];
+      ++high[axis];
+      width += spacing;
+    }
+    return width;
+  };
+  for (std::int32_t z = 0; z < size[2]; ++z)
+  {
+    for (std::int32_t y = 0; y < size[1]; ++y)
+    {
+      for (std::size_t i = m_Components->GetFirstRun(y, z); i < m_Components->GetFirstRun(y + 1, z); ++i)
+      {
+        const auto &      run = runs[i];
+        const std::size_t stride = 1 + numbersOfRuns[run.component] / mostCandidates;
+        if (seen[run.component]++ % stride == 0)
+        {
+          const IndexType             voxel{ (run.first + run.last) / 2, y, z };
+          const std::array<double, 3> widths{ measure(voxel, 0), measure(voxel, 1), measure(voxel, 2) };
+          // The sum decides between equals.
+          const double width =
+            *std::min_element(widths.begin(), widths.end()) + 1e-3 * (widths[0] + widths[1] + widths[2]);
+          if (width > best[run.component])
+          {
+            best[run.component] = width;
+            thickest[run.component] = voxel;
+          }
+        }
+      }
+    }
+  }
+  return thickest;
 }
 
 double
@@ -199,7 +239,9 @@ double
 DelaunayRefinementLatticeOracle::ComputeComponentDelta(const DelaunayRefinementComponent & component,
                                                        double                              delta) const
 {
-  return std::min(delta, std::max(component.inscribedRadius, LeastDeltaInVoxels * this->GetLeastSpacing()));
+  const double spacing = this->GetLeastSpacing();
+  const double factor = component.inscribedRadius < ThinInVoxels * spacing ? DeltaPerRadiusOfThin : 1.0;
+  return std::min(delta, std::max(factor * component.inscribedRadius, LeastDeltaInVoxels * spacing));
 }
 
 bool
