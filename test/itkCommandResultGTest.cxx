@@ -150,6 +150,40 @@ TEST_F(CommandResult, QuietSaysNothing)
   EXPECT_EQ(m_Run.messages, "");
 }
 
+TEST_F(CommandResult, ProgressIsShownOnATerminal)
+{
+  const std::string    image = WriteMetaImage(m_Folder / "ball.mha", MakeBall());
+  CommandCircumstances circumstances;
+  circumstances.terminal = true;
+  const CommandRun run = RunCommand({ "--delta", "1", image, m_Output }, circumstances);
+  ExpectSuccess(run);
+  for (const char * word : { "Reading", "Meshing", "Writing", " %" })
+  {
+    EXPECT_NE(run.messages.find(word), std::string::npos) << word << " is not in: " << run.messages;
+  }
+  // In the end the line is cleared.
+  EXPECT_EQ(run.messages.substr(run.messages.size() - 4), "\r\033[K");
+  EXPECT_EQ(RunCommand({ "--quiet", "--delta", "1", image, m_Output }, circumstances).messages, "");
+}
+
+TEST_F(CommandResult, LoweredDeltasAreReported)
+{
+  const Json   report = this->Run(MakeThreeBalls(), { "--delta", "6" });
+  const Json & lowered = report.at("lowered_deltas");
+  ASSERT_GE(lowered.size(), 2U);
+  for (const Json & component : lowered)
+  {
+    EXPECT_GT(component.at("delta"), 0.0);
+    EXPECT_LT(component.at("delta"), 6.0);
+    EXPECT_EQ(component.at("volume"), component.at("voxels").get<double>());
+    EXPECT_EQ(component.at("place").size(), 3U);
+  }
+  EXPECT_EQ(m_Run.messages.rfind("mesh-image: ", 0), 0U) << m_Run.messages;
+  EXPECT_NE(m_Run.messages.find("--delta"), std::string::npos) << m_Run.messages;
+  ASSERT_EQ(report.at("warnings").size(), 1U);
+  EXPECT_EQ("mesh-image: " + report.at("warnings")[0].get<std::string>() + "\n", m_Run.messages);
+}
+
 TEST_F(CommandResult, Labels)
 {
   const Json inner = this->Run(MakeNestedBalls(), { "--labels", "200", "--delta", "2" });

@@ -57,8 +57,57 @@ struct CommandCircumstances
   int signal{ 0 };
   int milliseconds{ 0 };
 
+  /** Standard error is a terminal. */
+  bool terminal{ false };
+
   /** No file may become larger, as on a full disk. 0: no limit. */
   rlim_t largestFile{ 0 };
+};
+
+/** \class PseudoTerminal
+ * \brief A terminal without a screen.
+ */
+class PseudoTerminal
+{
+public:
+  PseudoTerminal()
+    : m_Master(posix_openpt(O_RDWR | O_NOCTTY))
+  {
+    grantpt(m_Master);
+    unlockpt(m_Master);
+    m_Slave = open(ptsname(m_Master), O_RDWR | O_NOCTTY);
+  }
+
+  PseudoTerminal(const PseudoTerminal &) = delete;
+  PseudoTerminal &
+  operator=(const PseudoTerminal &) = delete;
+
+  ~PseudoTerminal()
+  {
+    close(m_Master);
+    close(m_Slave);
+  }
+
+  int
+  GetSlave() const
+  {
+    return m_Slave;
+  }
+
+  /** All that was written to it; it keeps a few thousand bytes. */
+  std::string
+  Read() const
+  {
+    std::string text(65536, '\0');
+    fcntl(m_Master, F_SETFL, O_NONBLOCK);
+    const auto count = read(m_Master, text.data(), text.size());
+    text.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
+    return text;
+  }
+
+private:
+  int m_Master;
+  int m_Slave;
 };
 
 /** Runs mesh-image to its end. */
@@ -76,13 +125,15 @@ RunCommand(const std::vector<std::string> & arguments, const CommandCircumstance
   }
   argv.push_back(nullptr);
 
-  const pid_t child = fork();
+  const PseudoTerminal terminal;
+  const pid_t          child = fork();
   if (child == 0)
   {
     constexpr int notStarted = 127;
     constexpr int mode = 0600;
     dup2(open(outputFile.c_str(), O_WRONLY | O_CREAT, mode), STDOUT_FILENO);
-    dup2(open(messageFile.c_str(), O_WRONLY | O_CREAT, mode), STDERR_FILENO);
+    dup2(circumstances.terminal ? terminal.GetSlave() : open(messageFile.c_str(), O_WRONLY | O_CREAT, mode),
+         STDERR_FILENO);
     if (circumstances.largestFile > 0)
     {
       const rlimit limit{ circumstances.largestFile, circumstances.largestFile };
@@ -107,7 +158,7 @@ RunCommand(const std::vector<std::string> & arguments, const CommandCircumstance
   run.secondsAfterSignal = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   run.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   run.output = ReadBytes(outputFile);
-  run.messages = ReadBytes(messageFile);
+  run.messages = circumstances.terminal ? terminal.Read() : ReadBytes(messageFile);
   return run;
 }
 
