@@ -363,9 +363,14 @@ FindSurfacePointInCube(const TCell &                   cell,
       for (unsigned int x = 0; x <= samples; ++x)
       {
         const DelaunayRefinementPoint end{ corner[0] + x * step, corner[1] + y * step, corner[2] + z * step };
-        double                        share;
-        if (cell.IsInside(end) != isInside && cell.FindFirstChange(start, end, isInside, share))
+        if (cell.IsInside(end) != isInside)
         {
+          // Rounding may hide a change that is at the very end.
+          double share;
+          if (!cell.FindFirstChange(start, end, isInside, share))
+          {
+            share = 1.0;
+          }
           for (unsigned int i = 0; i < 3; ++i)
           {
             found[i] = start[i] + share * (end[i] - start[i]);

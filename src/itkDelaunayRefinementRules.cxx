@@ -143,9 +143,15 @@ DelaunayRefinementRules::FiresR3(IndexType cell, unsigned int i, PointType & cen
   const double lowest = -Geometry::Dot(direction, w) / squaredLength;
   const double squaredAtLowest = Geometry::Dot(w, w) - lowest * lowest * squaredLength;
   const double room = threshold * threshold - squaredAtLowest;
-  const double half = room > 0.0 ? std::sqrt(room / squaredLength) : 0.0;
 
+  if (!(room > 0.0))
+  {
+    // All surface balls are large enough, and as the regions differ there is one.
+    this->FindCrossing(from, to, center);
+    return true;
+  }
   // Only the parts of the dual edge with radii of at least the threshold matter, from both ends inwards.
+  const double half = std::sqrt(room / squaredLength);
   const double ends[2] = { std::clamp(lowest - half, 0.0, 1.0), std::clamp(lowest + half, 0.0, 1.0) };
   double       largest = threshold * threshold;
   bool         fires = false;
@@ -166,6 +172,26 @@ DelaunayRefinementRules::FiresR3(IndexType cell, unsigned int i, PointType & cen
     }
   }
   return fires;
+}
+
+void
+DelaunayRefinementRules::FindCrossing(const PointType & from, const PointType & to, PointType & crossing) const
+{
+  if (m_Oracle.FindFirstCrossing(from, to, crossing))
+  {
+    return;
+  }
+  // Rounding hid it: it is where the region changes.
+  const auto   region = m_Oracle.Classify(from);
+  const double length = Geometry::Distance(from, to);
+  PointType    low = from;
+  PointType    high = to;
+  for (double width = length; width > 1e-9 * length; width *= 0.5)
+  {
+    const PointType middle = Geometry::AddScaled(low, 0.5, Geometry::Subtract(high, low));
+    (m_Oracle.Classify(middle) == region ? low : high) = middle;
+  }
+  crossing = high;
 }
 
 bool

@@ -93,6 +93,10 @@ private:
   double
   ComputeR3Threshold(IndexType cell, unsigned int i) const;
 
+  /** A surface point between two points of different regions. */
+  void
+  FindCrossing(const PointType & from, const PointType & to, PointType & crossing) const;
+
   const DelaunayRefinementOracle &     m_Oracle;
   const DelaunayRefinementParameters & m_Parameters;
   const DelaunayRefinementComplex &    m_Complex;
