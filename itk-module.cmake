@@ -13,7 +13,9 @@ itk_module(
     ITKMesh
   TEST_DEPENDS
     ITKGoogleTest
+    ITKIONIFTI
     ITKTestKernel
+    ITKThresholding
   DESCRIPTION "${DOCUMENTATION}"
   EXCLUDE_FROM_DEFAULT
   ENABLE_SHARED

@@ -83,7 +83,16 @@ TEST(DelaunayRefinementRules, R2FillsSpaceAroundTheSurface)
   EXPECT_LT(ComputeMaximumCircumradius(MakeCheckedMesh(run.result)), 2.0 * 2.0);
 }
 
-TEST(DelaunayRefinementRules, R3InsertsSurfaceCenters) { EXPECT_GT(CountInsertions(RefinementRule::R3), 0u); }
+TEST(DelaunayRefinementRules, R3InsertsSurfaceCenters)
+{
+  // Where R1 has covered the surface, R3 is left with facets that have a vertex off it or edges below delta.
+  auto parameters = MakeParameters(4.0);
+  parameters.cellSize = 2.0;
+  const EngineRun run = RunEngine(torus, parameters);
+  EXPECT_GT(run.GetInsertions(RefinementRule::R3), 0u);
+  EXPECT_EQ(GetNumberOfVertices(run, VertexKind::FEATURE),
+            run.GetInsertions(RefinementRule::R1) + run.GetInsertions(RefinementRule::R3));
+}
 
 TEST(DelaunayRefinementRules, R4SplitsSkinnyTetrahedra)
 {
