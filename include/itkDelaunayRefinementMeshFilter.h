@@ -154,7 +154,8 @@ public:
   itkSetMacro(MinimumComponentSize, SizeValueType);
   itkGetConstMacro(MinimumComponentSize, SizeValueType);
 
-  /** The interpolator of the indicator or of the grey values. Default: linear. */
+  /** The interpolator of the indicator or of the grey values. Default: linear. One that is neither linear nor nearest
+   * neighbor is given an input image by the filter. */
   itkSetObjectMacro(Interpolator, InterpolatorType);
   itkGetModifiableObjectMacro(Interpolator, InterpolatorType);
 
@@ -186,9 +187,6 @@ protected:
 
   void
   VerifyPreconditions() ITKv5_CONST override;
-
-  void
-  GenerateOutputInformation() override;
 
   void
   GenerateData() override;

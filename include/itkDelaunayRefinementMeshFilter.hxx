@@ -23,6 +23,7 @@
 #include "itkDelaunayRefinementEngine.h"
 #include "itkDelaunayRefinementImageCensus.h"
 #include "itkImageDelaunayRefinementOracle.h"
+#include "itkLinearInterpolateImageFunction.h"
 #include "itkTetrahedronCell.h"
 #include "itkTriangleCell.h"
 #include "itksys/SystemInformation.hxx"
@@ -38,6 +39,7 @@ namespace itk
 template <typename TInputImage, typename TOutputMesh>
 DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::DelaunayRefinementMeshFilter()
 {
+  m_Interpolator = LinearInterpolateImageFunction<TInputImage, double>::New();
   this->SetNumberOfRequiredOutputs(2);
   this->SetNthOutput(1, OutputMeshType::New().GetPointer());
 }
@@ -132,13 +134,6 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::UnsetObjectDefinition()
   m_UpperThresholdIsSet = false;
   m_Labels.clear();
   this->Modified();
-}
-
-template <typename TInputImage, typename TOutputMesh>
-void
-DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::GenerateOutputInformation()
-{
-  // Meshes have nothing to tell before they are made.
 }
 
 template <typename TInputImage, typename TOutputMesh>
