@@ -87,6 +87,12 @@ TEST_F(CommandInput, NoImage)
   }
 }
 
+TEST_F(CommandInput, WhatReadersPrintIsNotRepeated)
+{
+  WriteBytes(m_Folder / "broken.mha", "ObjectType = Image\nNDims = 3\nDimSize = 4 4\n");
+  ExpectRefusal(this->Run(m_Folder / "broken.mha"), 1, { m_Folder / "broken.mha" });
+}
+
 TEST_F(CommandInput, OtherDimensions)
 {
   WriteBytes(m_Folder / "flat.mha",

@@ -121,7 +121,8 @@ OpenImage(const std::string & fileName)
   }
   catch (const itk::ExceptionObject & error)
   {
-    throw RunError(fileName + " cannot be read as an image: " + PlainMessage(error));
+    throw RunError(fileName + " cannot be read as an image; it may be damaged, copy or export it again (" +
+                   PlainMessage(error) + ")");
   }
   RequireThreeDimensionsOfScalars(*io, fileName);
   RequireUsableGrid(*io, fileName);

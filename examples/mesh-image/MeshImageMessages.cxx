@@ -27,9 +27,12 @@ PlainMessage(const itk::ExceptionObject & error)
 {
   // "itk::ERROR: Class(0x1234): Sentence", with "ITK ERROR" in later versions.
   static const std::regex prefix(R"(^\s*(itk::ERROR:\s*|ITK ERROR:\s*)*(\w+\(0x[0-9a-f]+\):\s*)?)", std::regex::icase);
+  // Readers add the last error of the system, which need not be theirs.
+  static const std::regex reason(R"(\s+Reason:.*)");
   static const std::regex space(R"(\s+)");
   std::string             message = std::regex_replace(std::string(error.GetDescription()), prefix, "");
   message = std::regex_replace(message, space, " ");
+  message = std::regex_replace(message, reason, "");
   while (!message.empty() && (message.back() == ' ' || message.back() == '.'))
   {
     message.pop_back();
