@@ -1,0 +1,203 @@
+/*=========================================================================
+ *
+ *  Copyright The DelaunayRefinement Contributors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkDelaunayRefinementGeometry.h"
+#include "itkDelaunayRefinementLatticeVisit.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace itk
+{
+namespace
+{
+using Geometry = DelaunayRefinementGeometry;
+using PointType = DelaunayRefinementPoint;
+
+/** Patches of this level are single cells; those of level 0 are bricks. */
+constexpr unsigned int CellLevel = 2;
+
+/** Three numbers in [0, 1) that depend on the arguments alone. */
+PointType
+Scatter(const std::array<std::int32_t, 3> & index, unsigned int level)
+{
+  std::uint64_t state = static_cast<std::uint32_t>(index[0]) * 0x9E3779B97F4A7C15ull ^
+                        static_cast<std::uint32_t>(index[1]) * 0xC2B2AE3D27D4EB4Full ^
+                        static_cast<std::uint32_t>(index[2]) * 0x165667B19E3779F9ull ^
+                        (level + 1) * 0xD6E8FEB86659FD93ull;
+  PointType numbers;
+  for (double & number : numbers)
+  {
+    state += 0x9E3779B97F4A7C15ull;
+    std::uint64_t bits = (state ^ (state >> 30)) * 0xBF58476D1CE4E5B9ull;
+    bits = (bits ^ (bits >> 27)) * 0x94D049BB133111EBull;
+    number = static_cast<double>((bits ^ (bits >> 31)) >> 11) * 0x1p-53;
+  }
+  return numbers;
+}
+
+} // namespace
+
+std::vector<DelaunayRefinementOracle::SurfacePatch>
+DelaunayRefinementLatticeOracle::GetSurfacePatches() const
+{
+  std::vector<SurfacePatch> patches;
+  patches.reserve(m_Bricks->GetActiveBricks().size());
+  for (const IndexType & brick : m_Bricks->GetActiveBricks())
+  {
+    SurfacePatch patch;
+    if (this->MakePatch(brick, 0, patch))
+    {
+      patches.push_back(patch);
+    }
+  }
+  return patches;
+}
+
+void
+DelaunayRefinementLatticeOracle::SplitSurfacePatch(const SurfacePatch & patch, std::vector<SurfacePatch> & parts) const
+{
+  for (std::int32_t child = 0; child < 8; ++child)
+  {
+    SurfacePatch part;
+    if (this->MakePatch({ 2 * patch.index[0] + (child & 1),
+                          2 * patch.index[1] + (child >> 1 & 1),
+                          2 * patch.index[2] + (child >> 2) },
+                        patch.level + 1u,
+                        part))
+    {
+      parts.push_back(part);
+    }
+  }
+}
+
+std::uint64_t
+DelaunayRefinementLatticeOracle::GetCellsOfPatch(const IndexType & index, unsigned int level) const
+{
+  const unsigned int shift = CellLevel - level;
+  const std::int32_t extent = (1 << shift) - 1;
+  const IndexType    first{ (index[0] << shift) & 3, (index[1] << shift) & 3, (index[2] << shift) & 3 };
+  const IndexType    last{ first[0] + extent, first[1] + extent, first[2] + extent };
+  return m_Bricks->GetCells({ index[0] >> level, index[1] >> level, index[2] >> level }) &
+         DelaunayRefinementBricks::GetBits(first, last);
+}
+
+bool
+DelaunayRefinementLatticeOracle::MakePatch(const IndexType & index, unsigned int level, SurfacePatch & patch) const
+{
+  const double size = std::ldexp(DelaunayRefinementBricks::BrickSize, -static_cast<int>(level));
+  const double half = 0.5 * size;
+  PointType    center{ index[0] * size + half, index[1] * size + half, index[2] * size + half };
+  PointType    extents{ half, half, half };
+  if (level < CellLevel)
+  {
+    const std::uint64_t active = this->GetCellsOfPatch(index, level);
+    if (active == 0)
+    {
+      return false;
+    }
+    // The bounds of the cells with surface.
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      constexpr std::uint64_t slices[3][4] = {
+        { 0x1111111111111111u, 0x2222222222222222u, 0x4444444444444444u, 0x8888888888888888u },
+        { 0x000F000F000F000Fu, 0x00F000F000F000F0u, 0x0F000F000F000F00u, 0xF000F000F000F000u },
+        { 0x000000000000FFFFu, 0x00000000FFFF0000u, 0x0000FFFF00000000u, 0xFFFF000000000000u }
+      };
+      std::int32_t low = 0;
+      std::int32_t high = 3;
+      while (!(active & slices[i][low]))
+      {
+        ++low;
+      }
+      while (!(active & slices[i][high]))
+      {
+        --high;
+      }
+      const std::int32_t brickStart = index[i] >> level << CellLevel;
+      extents[i] = 0.5 * (high + 1 - low);
+      center[i] = brickStart + low + extents[i];
+    }
+  }
+  else
+  {
+    const unsigned int shift = level - CellLevel;
+    const IndexType    cell{ index[0] >> shift, index[1] >> shift, index[2] >> shift };
+    if (!m_Bricks->IsActiveCell(cell))
+    {
+      return false;
+    }
+    const PointType local{ index[0] * size - cell[0], index[1] * size - cell[1], index[2] * size - cell[2] };
+    if (shift > 0 && !this->VisitCell(cell, [&](const auto & content) { return content.MayIntersect(local, size); }))
+    {
+      return false;
+    }
+  }
+  patch.center = this->ToPhysical(center);
+  patch.radius = this->GetGreatestLength(extents);
+  patch.index = index;
+  patch.level = static_cast<std::uint8_t>(level);
+  return true;
+}
+
+bool
+DelaunayRefinementLatticeOracle::FindPointOfPatch(const SurfacePatch & patch, PointType & point) const
+{
+  const unsigned int level = patch.level;
+  const PointType    random = Scatter(patch.index, level);
+  IndexType          cell;
+  PointType          local{};
+  double             size = 1.0;
+  if (level < CellLevel)
+  {
+    // Some cell of those with surface.
+    const std::uint64_t          active = this->GetCellsOfPatch(patch.index, level);
+    std::array<std::int32_t, 64> bits;
+    std::int32_t                 number = 0;
+    for (std::int32_t bit = 0; bit < 64; ++bit)
+    {
+      if (active >> bit & 1u)
+      {
+        bits[number++] = bit;
+      }
+    }
+    const std::int32_t chosen = bits[static_cast<std::int32_t>(random[0] * number)];
+    cell = { (patch.index[0] >> level << CellLevel) + (chosen & 3),
+             (patch.index[1] >> level << CellLevel) + (chosen >> 2 & 3),
+             (patch.index[2] >> level << CellLevel) + (chosen >> 4) };
+  }
+  else
+  {
+    const unsigned int shift = level - CellLevel;
+    size = std::ldexp(1.0, -static_cast<int>(shift));
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      cell[i] = patch.index[i] >> shift;
+      local[i] = patch.index[i] * size - cell[i];
+    }
+  }
+  const PointType start{ local[0] + random[0] * size, local[1] + random[1] * size, local[2] + random[2] * size };
+  PointType       found;
+  if (!this->VisitCell(
+        cell, [&](const auto & content) { return FindSurfacePointInCube(content, local, size, start, found); }))
+  {
+    return false;
+  }
+  point = this->ToPhysical(PointType{ found[0] + cell[0], found[1] + cell[1], found[2] + cell[2] });
+  return true;
+}
+} // end namespace itk

@@ -1,0 +1,55 @@
+/*=========================================================================
+ *
+ *  Copyright The DelaunayRefinement Contributors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkDelaunayRefinementLatticeVisit_h
+#define itkDelaunayRefinementLatticeVisit_h
+
+#include "itkDelaunayRefinementBricks.h"
+#include "itkDelaunayRefinementCells.h"
+#include "itkDelaunayRefinementLatticeOracle.h"
+
+// Shared by the sources of the lattice oracle alone.
+
+namespace itk
+{
+/** The position within a cell, from lattice coordinates. */
+inline DelaunayRefinementPoint
+ToLocal(const DelaunayRefinementPoint & lattice, const std::array<std::int32_t, 3> & cell)
+{
+  return { lattice[0] - cell[0], lattice[1] - cell[1], lattice[2] - cell[2] };
+}
+template <typename TVisitor>
+auto
+DelaunayRefinementLatticeOracle::VisitCell(const IndexType & cell, const TVisitor & visitor) const
+{
+  if (m_Model == ModelEnum::NEAREST)
+  {
+    return visitor(DelaunayRefinementNearestCell(m_Mask->GetConfiguration(cell[0], cell[1], cell[2])));
+  }
+  if (m_Model == ModelEnum::FIELD)
+  {
+    const auto isInside = [this, &cell](const PointType & local) {
+      return this->IsInsideField({ local[0] + cell[0] - 1, local[1] + cell[1] - 1, local[2] + cell[2] - 1 });
+    };
+    return visitor(DelaunayRefinementFieldCell<decltype(isInside)>(isInside));
+  }
+  return visitor(DelaunayRefinementLinearCell(this->GetCellValues(cell)));
+}
+
+} // end namespace itk
+
+#endif
