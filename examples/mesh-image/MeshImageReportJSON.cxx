@@ -80,18 +80,12 @@ Rules(const itk::DelaunayRefinementStatistics & statistics)
   const auto encroachments = [&statistics](Case kind) {
     return statistics.encroachments[static_cast<std::size_t>(kind)];
   };
-  return { { "R1", insertions(Rule::R1) },
-           { "R2", insertions(Rule::R2) },
-           { "R3", insertions(Rule::R3) },
-           { "R4", insertions(Rule::R4) },
-           { "R4'", insertions(Rule::R4_PRIME) },
-           { "cell_size", insertions(Rule::CELL_SIZE) },
-           { "shape", insertions(Rule::SHAPE) },
-           { "E1", encroachments(Case::E1) },
-           { "E2", encroachments(Case::E2) },
-           { "E3", encroachments(Case::E3) },
-           { "removals", statistics.removals },
-           { "encroachment_removals", statistics.encroachmentRemovals } };
+  return { { "R1", insertions(Rule::R1) },        { "R2", insertions(Rule::R2) },
+           { "R3", insertions(Rule::R3) },        { "R4", insertions(Rule::R4) },
+           { "R4'", insertions(Rule::R4_PRIME) }, { "cell_size", insertions(Rule::CELL_SIZE) },
+           { "shape", insertions(Rule::SHAPE) },  { "E1", encroachments(Case::E1) },
+           { "E2", encroachments(Case::E2) },     { "E3", encroachments(Case::E3) },
+           { "removals", statistics.removals },   { "encroachment_removals", statistics.encroachmentRemovals } };
 }
 
 Json
