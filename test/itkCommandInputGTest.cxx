@@ -102,6 +102,10 @@ TEST_F(CommandInput, OtherDimensions)
              "NDims = 4\nDimSize = 4 4 4 2\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n" +
                std::string(128, '\1'));
   ExpectRefusal(this->Run(m_Folder / "series.mha"), 1, { "4 dimensions" });
+  WriteBytes(m_Folder / "one.mha",
+             "NDims = 4\nDimSize = 24 24 24 1\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n" +
+               MakeBall().Bytes());
+  ExpectSuccess(this->Run(m_Folder / "one.mha"));
 }
 
 TEST_F(CommandInput, SeveralNumbersAVoxel)
