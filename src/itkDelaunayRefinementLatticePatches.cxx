@@ -31,6 +31,13 @@ using PointType = DelaunayRefinementPoint;
 /** Patches of this level are single cells; those of level 0 are bricks. */
 constexpr unsigned int CellLevel = 2;
 
+/** In voxels. */
+double
+GetPatchSize(unsigned int level)
+{
+  return static_cast<double>(DelaunayRefinementBricks::BrickSize) / static_cast<double>(std::uint64_t{ 1 } << level);
+}
+
 /** Three numbers in [0, 1) that depend on the arguments alone. */
 PointType
 Scatter(const std::array<std::int32_t, 3> & index, unsigned int level)
@@ -99,7 +106,7 @@ DelaunayRefinementLatticeOracle::GetCellsOfPatch(const IndexType & index, unsign
 bool
 DelaunayRefinementLatticeOracle::MakePatch(const IndexType & index, unsigned int level, SurfacePatch & patch) const
 {
-  const double size = std::ldexp(DelaunayRefinementBricks::BrickSize, -static_cast<int>(level));
+  const double size = GetPatchSize(level);
   const double half = 0.5 * size;
   PointType    center{ index[0] * size + half, index[1] * size + half, index[2] * size + half };
   PointType    extents{ half, half, half };
@@ -183,7 +190,7 @@ DelaunayRefinementLatticeOracle::FindPointOfPatch(const SurfacePatch & patch, Po
   else
   {
     const unsigned int shift = level - CellLevel;
-    size = std::ldexp(1.0, -static_cast<int>(shift));
+    size = GetPatchSize(level);
     for (unsigned int i = 0; i < 3; ++i)
     {
       cell[i] = patch.index[i] >> shift;

@@ -47,6 +47,10 @@ DelaunayRefinementLocalDelta::DelaunayRefinementLocalDelta(const DelaunayRefinem
   , m_Minimum(parameters.delta)
   , m_Places(oracle.GetNumberOfComponents(), NotLowered)
 {
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    m_BoxesPerLength[i] = BoxesPerAxis / (m_Bounds.maximum[i] - m_Bounds.minimum[i]);
+  }
   for (std::size_t i = 0; i < parameters.componentDelta.size(); ++i)
   {
     this->Lower(static_cast<ComponentType>(i), parameters.componentDelta[i]);
@@ -59,8 +63,8 @@ DelaunayRefinementLocalDelta::FindBox(const PointType & point, double offset) co
   BoxIndexType box;
   for (unsigned int i = 0; i < 3; ++i)
   {
-    const double share = (point[i] + offset - m_Bounds.minimum[i]) / (m_Bounds.maximum[i] - m_Bounds.minimum[i]);
-    box[i] = static_cast<std::int32_t>(std::clamp(share * BoxesPerAxis, 0.0, BoxesPerAxis - 1.0));
+    const double index = (point[i] + offset - m_Bounds.minimum[i]) * m_BoxesPerLength[i];
+    box[i] = static_cast<std::int32_t>(std::clamp(index, 0.0, BoxesPerAxis - 1.0));
   }
   return box;
 }

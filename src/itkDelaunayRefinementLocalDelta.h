@@ -97,6 +97,7 @@ private:
 
   const DelaunayRefinementOracle &     m_Oracle;
   DelaunayRefinementOracle::BoundsType m_Bounds;
+  PointType                            m_BoxesPerLength{};
   double                               m_Delta;
   double                               m_Minimum;
   /** In the order in which they were lowered first. */

@@ -21,8 +21,7 @@ namespace itk
 {
 namespace
 {
-constexpr std::int32_t None = -1;
-constexpr double       MostCubes = 1 << 24;
+constexpr double MostCubes = 1 << 24;
 } // namespace
 
 DelaunayRefinementPointGrid::DelaunayRefinementPointGrid(const PointType & minimum,
@@ -46,23 +45,24 @@ DelaunayRefinementPointGrid::DelaunayRefinementPointGrid(const PointType & minim
   m_Last.assign(this->ToOffset(m_Size[0] - 1, m_Size[1] - 1, m_Size[2] - 1) + 1, None);
 }
 
-void
+std::int32_t
 DelaunayRefinementPointGrid::Add(const PointType & point)
 {
   const CubeType cube = this->ToCube(point, 0.0);
   std::int32_t & last = m_Last[this->ToOffset(cube[0], cube[1], cube[2])];
   m_Nodes.push_back({ point, last });
   last = static_cast<std::int32_t>(m_Nodes.size() - 1);
+  return last;
 }
 
-double
-DelaunayRefinementPointGrid::FindSquaredDistance(const PointType & point, double radius, double enough) const
+std::int32_t
+DelaunayRefinementPointGrid::FindNearest(const PointType & point, double radius, double enough) const
 {
   const CubeType first = this->ToCube(point, -radius);
   const CubeType last = this->ToCube(point, radius);
   const double   squaredEnough = enough * enough;
   double         best = radius * radius;
-  bool           isFound = false;
+  std::int32_t   nearest = None;
   for (std::int32_t z = first[2]; z <= last[2]; ++z)
   {
     for (std::int32_t y = first[1]; y <= last[1]; ++y)
@@ -75,16 +75,16 @@ DelaunayRefinementPointGrid::FindSquaredDistance(const PointType & point, double
           if (squared <= best)
           {
             best = squared;
-            isFound = true;
+            nearest = node;
             if (best <= squaredEnough)
             {
-              return best;
+              return nearest;
             }
           }
         }
       }
     }
   }
-  return isFound ? best : std::numeric_limits<double>::infinity();
+  return nearest;
 }
 } // end namespace itk

@@ -36,13 +36,22 @@ public:
    * the box would take too many cubes. */
   DelaunayRefinementPointGrid(const PointType & minimum, const PointType & maximum, double cubeSize);
 
-  void
+  /** Returns the point's number. */
+  std::int32_t
   Add(const PointType & point);
 
-  /** Squared distance to the nearest point within \c radius; infinity if there is none. Stops at the first point found
-   * within \c enough. */
-  double
-  FindSquaredDistance(const PointType & point, double radius, double enough) const;
+  static constexpr std::int32_t None = -1;
+
+  const PointType &
+  GetPoint(std::int32_t number) const
+  {
+    return m_Nodes[number].point;
+  }
+
+  /** The number of the nearest point within \c radius, None if there is none. Stops at the first point found within
+   * \c enough. */
+  std::int32_t
+  FindNearest(const PointType & point, double radius, double enough) const;
 
 private:
   using CubeType = std::array<std::int32_t, 3>;

@@ -25,6 +25,8 @@ namespace itk
 {
 namespace
 {
+using Geometry = DelaunayRefinementGeometry;
+
 /** R1 inserts points at this share of delta from others, so that what is left over is certainly within delta. */
 constexpr double Separation = 0.999;
 
@@ -50,8 +52,9 @@ DelaunayRefinementSurfaceSample::DelaunayRefinementSurfaceSample(const DelaunayR
   , m_LocalDelta(localDelta)
   , m_RoundToFloat(roundToFloat)
   , m_Grid(oracle.GetSurfaceBounds().minimum, oracle.GetSurfaceBounds().maximum, CubeSize * localDelta.GetMaximum())
-  , m_Open(oracle.GetSurfacePatches())
-{}
+{
+  this->Reopen();
+}
 
 std::vector<std::uint32_t>
 DelaunayRefinementSurfaceSample::MakeRandomOrder(std::size_t length)
@@ -79,33 +82,58 @@ DelaunayRefinementSurfaceSample::GetLeastDelta(const PatchType & patch) const
            : m_LocalDelta.GetMinimumWithin(patch.center, patch.radius);
 }
 
-DelaunayRefinementSurfaceSample::PatchState
-DelaunayRefinementSurfaceSample::Visit(const PatchType & patch, std::vector<PointType> & points)
+bool
+DelaunayRefinementSurfaceSample::Cover(OpenPatchType & open, bool isUniform, std::vector<PointType> & points)
 {
-  const double reach = this->GetLeastDelta(patch) - patch.radius;
-  if (reach > 0.0 && m_Grid.FindSquaredDistance(patch.center, reach, reach) <= reach * reach)
+  const PatchType & patch = open.patch;
+  const double      reach = (isUniform ? m_LocalDelta.GetMaximum() : this->GetLeastDelta(patch)) - patch.radius;
+  if (reach > 0.0)
   {
-    return PatchState::COVERED;
+    const auto covers = [&](std::int32_t vertex) {
+      return vertex != DelaunayRefinementPointGrid::None &&
+             Geometry::SquaredDistance(patch.center, m_Grid.GetPoint(vertex)) <= reach * reach;
+    };
+    if (covers(open.vertex))
+    {
+      return true;
+    }
+    const std::int32_t nearest = m_Grid.FindNearest(patch.center, reach, reach);
+    if (nearest != DelaunayRefinementPointGrid::None)
+    {
+      return true;
+    }
   }
   PointType point;
   if (!m_Oracle.FindPointOfPatch(patch, point))
   {
-    return PatchState::COVERED;
+    return true;
   }
-  const double own = m_LocalDelta.IsUniform() ? m_LocalDelta.GetMaximum() : m_LocalDelta.GetAt(point);
+  const double own = isUniform ? m_LocalDelta.GetMaximum() : m_LocalDelta.GetAt(point);
   const double apart = Separation * own;
-  if (m_Grid.FindSquaredDistance(point, apart, apart) >= apart * apart)
+  open.vertex = m_Grid.FindNearest(point, apart, 0.0);
+  if (open.vertex == DelaunayRefinementPointGrid::None)
   {
     if (m_RoundToFloat)
     {
       std::transform(
         point.begin(), point.end(), point.begin(), [](double x) { return static_cast<double>(static_cast<float>(x)); });
     }
-    m_Grid.Add(point);
+    open.vertex = m_Grid.Add(point);
     points.push_back(point);
-    return DelaunayRefinementGeometry::Distance(point, patch.center) <= reach ? PatchState::COVERED : PatchState::OPEN;
+    return Geometry::Distance(point, patch.center) <= reach;
   }
-  return patch.radius < SmallestPatch * own ? PatchState::COVERED : PatchState::OPEN;
+  return patch.radius < SmallestPatch * own;
+}
+
+void
+DelaunayRefinementSurfaceSample::Split(const OpenPatchType & open, std::vector<OpenPatchType> & parts)
+{
+  m_Parts.clear();
+  m_Oracle.SplitSurfacePatch(open.patch, m_Parts);
+  for (const PatchType & part : m_Parts)
+  {
+    parts.push_back({ part, open.vertex });
+  }
 }
 
 void
@@ -121,43 +149,46 @@ DelaunayRefinementSurfaceSample::Certify(std::vector<PointType> & points, const 
   const auto  mayVisit = [&] { return ++numberOfVisits % VisitsBetweenQuestions != 0 || keepGoing(); };
 
   // Large patches in a random order, which keeps the sample sparse.
-  while (!m_Open.empty() && m_Open.front().radius > LargePatch * m_LocalDelta.GetMaximum())
+  const double largest = LargePatch * m_LocalDelta.GetMaximum();
+  while (!m_Open.empty() && m_Open.front().patch.radius > largest)
   {
-    std::vector<char> isOpen(m_Open.size());
+    std::vector<char> isCovered(m_Open.size());
     for (const std::uint32_t i : MakeRandomOrder(m_Open.size()))
     {
       if (!mayVisit())
       {
         return false;
       }
-      isOpen[i] = this->Visit(m_Open[i], points) == PatchState::OPEN ? 1 : 0;
+      isCovered[i] = this->Cover(m_Open[i], m_LocalDelta.IsUniform(), points) ? 1 : 0;
     }
-    std::vector<PatchType> parts;
+    std::vector<OpenPatchType> parts;
     for (std::size_t i = 0; i < m_Open.size(); ++i)
     {
-      if (isOpen[i])
+      if (!isCovered[i])
       {
-        m_Oracle.SplitSurfacePatch(m_Open[i], parts);
+        this->Split(m_Open[i], parts);
       }
     }
     m_Open.swap(parts);
   }
   // What they left open in the oracle's order, which keeps neighbors together.
-  std::vector<PatchType> stack;
-  for (const PatchType & patch : m_Open)
+  std::vector<OpenPatchType> stack;
+  for (const OpenPatchType & open : m_Open)
   {
-    stack.assign(1, patch);
+    const bool isUniform =
+      m_LocalDelta.GetMinimumWithin(open.patch.center, open.patch.radius) == m_LocalDelta.GetMaximum();
+    stack.assign(1, open);
     while (!stack.empty())
     {
       if (!mayVisit())
       {
         return false;
       }
-      const PatchType top = stack.back();
+      OpenPatchType top = stack.back();
       stack.pop_back();
-      if (this->Visit(top, points) == PatchState::OPEN)
+      if (!this->Cover(top, isUniform, points))
       {
-        m_Oracle.SplitSurfacePatch(top, stack);
+        this->Split(top, stack);
       }
     }
   }
@@ -168,6 +199,10 @@ DelaunayRefinementSurfaceSample::Certify(std::vector<PointType> & points, const 
 void
 DelaunayRefinementSurfaceSample::Reopen()
 {
-  m_Open = m_Oracle.GetSurfacePatches();
+  m_Open.clear();
+  for (const PatchType & patch : m_Oracle.GetSurfacePatches())
+  {
+    m_Open.push_back({ patch, DelaunayRefinementPointGrid::None });
+  }
 }
 } // end namespace itk

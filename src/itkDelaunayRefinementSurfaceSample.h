@@ -60,19 +60,24 @@ public:
 private:
   using PatchType = DelaunayRefinementOracle::SurfacePatch;
 
+  /** A patch that is not known to be covered, and a vertex near it: likely to cover its parts. */
+  struct OpenPatchType
+  {
+    PatchType    patch;
+    std::int32_t vertex;
+  };
+
   /** The least delta that holds in a patch. */
   double
   GetLeastDelta(const PatchType & patch) const;
 
-  enum class PatchState
-  {
-    COVERED,
-    OPEN
-  };
+  /** Whether a patch is covered now; it gets a vertex if a point of it is far enough from all. \c isUniform: delta is
+   * the same in all of it. Keeps the vertex that is nearest in \c open. */
+  bool
+  Cover(OpenPatchType & open, bool isUniform, std::vector<PointType> & points);
 
-  /** Covered or not; a patch gets a vertex if a point of it is far enough from all. */
-  PatchState
-  Visit(const PatchType & patch, std::vector<PointType> & points);
+  void
+  Split(const OpenPatchType & open, std::vector<OpenPatchType> & parts);
 
   static std::vector<std::uint32_t>
   MakeRandomOrder(std::size_t length);
@@ -81,7 +86,8 @@ private:
   const DelaunayRefinementLocalDelta & m_LocalDelta;
   bool                                 m_RoundToFloat;
   DelaunayRefinementPointGrid          m_Grid;
-  std::vector<PatchType>               m_Open;
+  std::vector<OpenPatchType>           m_Open{};
+  std::vector<PatchType>               m_Parts{};
 };
 } // end namespace itk
 
