@@ -236,6 +236,26 @@ DelaunayRefinementLatticeOracle::FindClosestSurfacePoint(const PointType & point
 bool
 DelaunayRefinementLatticeOracle::IsSurfaceWithin(const PointType & point, double distance) const
 {
+  // The cubes around and within the ball decide most cases.
+  const auto cube = [&point](double half) {
+    return BoundsType{ { point[0] - half, point[1] - half, point[2] - half },
+                       { point[0] + half, point[1] + half, point[2] + half } };
+  };
+  if (!this->MayIntersectBox(cube(distance)))
+  {
+    return false;
+  }
+  // The cells that meet a cube of half width 1 lie within its bounds in the lattice, and one cell more.
+  PointType extents;
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    extents[i] = std::abs(m_InverseRows[i][0]) + std::abs(m_InverseRows[i][1]) + std::abs(m_InverseRows[i][2]);
+  }
+  const double inner = (distance - this->GetGreatestLength({ 1.0, 1.0, 1.0 })) / this->GetGreatestLength(extents);
+  if (inner > 0.0 && this->MayIntersectBox(cube(inner)))
+  {
+    return true;
+  }
   return ClosestSearch(*this, this->ToLattice(point), distance).RunForAny();
 }
 } // end namespace itk
