@@ -92,6 +92,10 @@ TEST(DelaunayRefinementRules, R3InsertsSurfaceCenters)
   EXPECT_GT(run.GetInsertions(RefinementRule::R3), 0u);
   EXPECT_EQ(GetNumberOfVertices(run, VertexKind::FEATURE),
             run.GetInsertions(RefinementRule::R1) + run.GetInsertions(RefinementRule::R3));
+  for (const PointType & point : GetFeaturePoints(run.result))
+  {
+    EXPECT_NEAR(torus.ComputeSignedDistance(point), 0.0, 1e-6);
+  }
 }
 
 TEST(DelaunayRefinementRules, R4SplitsSkinnyTetrahedra)
