@@ -64,7 +64,7 @@ public:
     return { *range.first, *range.second };
   }
 
-  /** The values other than 0, ascending. */
+  /** The values other than 0, ascending; some of them if there are far more than labels ever are. */
   std::vector<TPixel>
   FindLabels() const
   {
@@ -96,6 +96,10 @@ public:
         {
           last = m_Buffer[i];
           isThere[last] = true;
+          if (isThere.size() > MostLabels)
+          {
+            break;
+          }
         }
       }
       for (const auto & entry : isThere)
@@ -129,6 +133,8 @@ public:
   }
 
 private:
+  static constexpr std::size_t MostLabels = 100000;
+
   const TPixel * m_Buffer;
   std::size_t    m_NumberOfPixels;
   std::size_t    m_RowLength;

@@ -131,6 +131,10 @@ public:
   bool
   IsNegligible(const DelaunayRefinementComponent & component, double delta) const;
 
+  /** False for components of voxels at the level of a grey image that do not rise above it. */
+  bool
+  HasVolume(const DelaunayRefinementComponent & component) const;
+
   /** A rough estimate of the number of tetrahedra of the mesh. */
   double
   EstimateNumberOfTetrahedra(const DelaunayRefinementParameters & parameters) const;

@@ -159,6 +159,10 @@ public:
   itkSetObjectMacro(Interpolator, InterpolatorType);
   itkGetModifiableObjectMacro(Interpolator, InterpolatorType);
 
+  /** Also that of the interpolator. */
+  ModifiedTimeType
+  GetMTime() const override;
+
   /** The delta of the last run: Delta, or the one that was chosen. */
   itkGetConstMacro(EffectiveDelta, double);
 
@@ -195,7 +199,7 @@ private:
   using ObjectType = DelaunayRefinementObject<InputPixelType>;
 
   /** Looks at the pixels and says what the object is; returns the label of its tetrahedra. */
-  double
+  InputPixelType
   ChooseObject(const InputImageType * image, ObjectType & object) const;
 
   static std::string
@@ -210,13 +214,22 @@ private:
 
   /** Statistics number the components as m_Components does; those left out are missing. */
   void
-  RenumberComponents(const std::vector<std::uint32_t> & kept);
+  RenumberComponents(const std::vector<std::uint32_t> & kept, const DelaunayRefinementParameters & parameters);
 
   DelaunayRefinementParameters
   MakeParameters(const DelaunayRefinementLatticeOracle & oracle, const std::vector<std::uint32_t> & kept);
 
   void
-  VerifyMemory(const DelaunayRefinementLatticeOracle & oracle, const DelaunayRefinementParameters & parameters) const;
+  VerifyGeometry(const InputImageType * image) const;
+
+  void
+  VerifyPrecision(const DelaunayRefinementLatticeOracle & oracle,
+                  const DelaunayRefinementParameters &    parameters) const;
+
+  void
+  VerifyMemory(const DelaunayRefinementLatticeOracle & oracle,
+               const std::vector<std::uint32_t> &      kept,
+               const DelaunayRefinementParameters &    parameters) const;
 
   void
   ThrowUnlessCompleted(DelaunayRefinementEnums::TerminationReason reason) const;
@@ -225,11 +238,14 @@ private:
   WarnOfComponents();
 
   void
-  CopyResult(const DelaunayRefinementResult & result, double label);
+  CopyResult(const DelaunayRefinementResult & result, InputPixelType label);
 
   template <typename TCell, typename TCellPoints, typename TNumbering>
   void
-  CopyCells(const std::vector<TCellPoints> & from, double label, const TNumbering & numberOf, OutputMeshType * to);
+  CopyCells(const std::vector<TCellPoints> & from,
+            InputPixelType                   label,
+            const TNumbering &               numberOf,
+            OutputMeshType *                 to);
 
   double                             m_Delta{ 0.0 };
   bool                               m_DeltaIsSet{ false };

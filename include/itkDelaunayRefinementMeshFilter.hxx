@@ -31,7 +31,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <numeric>
 #include <sstream>
 
 namespace itk
@@ -137,6 +136,14 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::UnsetObjectDefinition()
 }
 
 template <typename TInputImage, typename TOutputMesh>
+ModifiedTimeType
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::GetMTime() const
+{
+  const ModifiedTimeType own = Superclass::GetMTime();
+  return m_Interpolator.IsNull() ? own : std::max(own, m_Interpolator->GetMTime());
+}
+
+template <typename TInputImage, typename TOutputMesh>
 void
 DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::VerifyPreconditions() ITKv5_CONST
 {
@@ -204,8 +211,9 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::GenerateData()
     };
     const auto             preparationStart = Clock::now();
     const InputImageType * image = this->GetInput();
-    ObjectType             object;
-    const double           label = this->ChooseObject(image, object);
+    this->VerifyGeometry(image);
+    ObjectType           object;
+    const InputPixelType label = this->ChooseObject(image, object);
 
     ImageDelaunayRefinementOracle<InputImageType> oracle(image, object, m_Interpolator);
     this->VerifyObject(image, oracle);
@@ -213,24 +221,30 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::GenerateData()
     m_Components = oracle.ComputeComponents(m_EffectiveDelta);
     const std::vector<std::uint32_t>   kept = this->LeaveOutNegligibleComponents(oracle);
     const DelaunayRefinementParameters parameters = this->MakeParameters(oracle, kept);
-    this->VerifyMemory(oracle, parameters);
+    this->VerifyPrecision(oracle, parameters);
+    this->VerifyMemory(oracle, kept, parameters);
     m_PreparationSeconds = secondsSince(preparationStart);
 
     DelaunayRefinementEngine engine(oracle, parameters);
     const auto               reason = engine.Run();
     m_Statistics = engine.GetStatistics();
-    this->RenumberComponents(kept);
+    this->RenumberComponents(kept, parameters);
     this->ThrowUnlessCompleted(reason);
+    const DelaunayRefinementResult result = engine.TakeResult();
+    if (result.tetrahedra.empty())
+    {
+      itkExceptionMacro("No tetrahedron has its center in the object, which is too thin for the image's spacing");
+    }
     this->WarnOfComponents();
 
     const auto copyStart = Clock::now();
-    this->CopyResult(engine.TakeResult(), label);
+    this->CopyResult(result, label);
     m_CopySeconds = secondsSince(copyStart);
   }
 }
 
 template <typename TInputImage, typename TOutputMesh>
-double
+typename DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::InputPixelType
 DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::ChooseObject(const InputImageType * image,
                                                                      ObjectType &           object) const
 {
@@ -246,20 +260,22 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::ChooseObject(const Input
   {
     itkExceptionMacro("The image has pixels that are NaN (not a number); replace them by values");
   }
+  // The label of all but single labels.
+  constexpr InputPixelType merged{ 1 };
   object.minimumComponentSize = m_MinimumComponentSize;
   object.largestComponentOnly = m_LargestComponentOnly;
   if (m_IsoValueIsSet)
   {
     object.definition = DefinitionEnum::ISO_VALUE;
     object.isoValue = m_IsoValue;
-    return 1.0;
+    return merged;
   }
   if (m_LowerThresholdIsSet || m_UpperThresholdIsSet)
   {
     object.definition = DefinitionEnum::THRESHOLD;
     object.lower = m_LowerThreshold;
     object.upper = m_UpperThreshold;
-    return 1.0;
+    return merged;
   }
   if (std::is_floating_point<InputPixelType>::value)
   {
@@ -291,16 +307,16 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::ChooseObject(const Input
       itkExceptionMacro("Labels has " << object.labels.size()
                                       << " values; choose one, or set MergeLabels to mesh them as one object");
     }
-    return m_MergeLabels ? 1.0 : static_cast<double>(object.labels.front());
+    return m_MergeLabels ? merged : object.labels.front();
   }
   object.definition = DefinitionEnum::NON_ZERO;
-  if (m_MergeLabels || labels.empty())
+  if (labels.empty())
   {
-    return 1.0;
+    return merged;
   }
   constexpr std::size_t manyLabels = 8;
   constexpr double      speckled = 0.3;
-  if (labels.size() >= manyLabels && census.ComputeSpeckle() > speckled)
+  if (!m_MergeLabels && labels.size() >= manyLabels && census.ComputeSpeckle() > speckled)
   {
     itkExceptionMacro("The image seems to hold grey values, not labels: " << labels.size()
                                                                           << " values change from voxel to voxel. Set "
@@ -312,12 +328,16 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::ChooseObject(const Input
     itkExceptionMacro("The image has negative values, which are no labels; set LowerThreshold and UpperThreshold, or "
                       "IsoValue, or Labels");
   }
+  if (m_MergeLabels)
+  {
+    return merged;
+  }
   if (labels.size() > 1)
   {
     itkExceptionMacro("The image has " << this->DescribeLabels(labels)
                                        << "; choose one by Labels, or set MergeLabels to mesh them as one object");
   }
-  return static_cast<double>(labels.front());
+  return labels.front();
 }
 
 template <typename TInputImage, typename TOutputMesh>
@@ -376,24 +396,36 @@ std::vector<std::uint32_t>
 DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::LeaveOutNegligibleComponents(
   DelaunayRefinementLatticeOracle & oracle) const
 {
+  std::vector<std::uint32_t> withVolume;
   std::vector<std::uint32_t> kept;
-  std::vector<bool>          isLeftOut(m_Components.size());
   for (std::uint32_t i = 0; i < m_Components.size(); ++i)
   {
-    isLeftOut[i] = oracle.IsNegligible(m_Components[i], m_EffectiveDelta);
-    if (!isLeftOut[i])
+    if (oracle.HasVolume(m_Components[i]))
     {
-      kept.push_back(i);
+      withVolume.push_back(i);
+      if (!oracle.IsNegligible(m_Components[i], m_EffectiveDelta))
+      {
+        kept.push_back(i);
+      }
     }
+  }
+  if (withVolume.empty())
+  {
+    itkExceptionMacro("There is no object to mesh: it has no volume, as no pixel value rises above IsoValue "
+                      << m_IsoValue << " by much; set a lower IsoValue");
   }
   if (kept.empty())
   {
     // Small as they are, they are all there is.
-    kept.resize(m_Components.size());
-    std::iota(kept.begin(), kept.end(), 0);
+    kept = withVolume;
   }
-  else if (kept.size() < m_Components.size())
+  if (kept.size() < m_Components.size())
   {
+    std::vector<bool> isLeftOut(m_Components.size(), true);
+    for (const std::uint32_t component : kept)
+    {
+      isLeftOut[component] = false;
+    }
     oracle.RemoveComponents(isLeftOut);
   }
   return kept;
@@ -401,7 +433,9 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::LeaveOutNegligibleCompon
 
 template <typename TInputImage, typename TOutputMesh>
 void
-DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::RenumberComponents(const std::vector<std::uint32_t> & kept)
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::RenumberComponents(
+  const std::vector<std::uint32_t> &   kept,
+  const DelaunayRefinementParameters & parameters)
 {
   std::vector<bool> isMissing(m_Components.size(), true);
   for (const std::uint32_t component : kept)
@@ -420,9 +454,19 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::RenumberComponents(const
       m_Statistics.missingComponents.push_back(i);
     }
   }
-  for (auto & lowered : m_Statistics.loweredDeltas)
+  // The engine's own delta may be lower than the user's, too.
+  std::vector<double> deltas = parameters.componentDelta;
+  for (const auto & lowered : m_Statistics.loweredDeltas)
   {
-    lowered.first = kept[lowered.first];
+    deltas[lowered.first] = lowered.second;
+  }
+  m_Statistics.loweredDeltas.clear();
+  for (std::size_t i = 0; i < kept.size(); ++i)
+  {
+    if (deltas[i] < m_EffectiveDelta)
+    {
+      m_Statistics.loweredDeltas.emplace_back(kept[i], deltas[i]);
+    }
   }
 }
 
@@ -432,7 +476,6 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::MakeParameters(const Del
                                                                        const std::vector<std::uint32_t> &      kept)
 {
   DelaunayRefinementParameters parameters;
-  parameters.delta = m_EffectiveDelta;
   parameters.radiusEdgeRatioBound = m_RadiusEdgeRatioBound;
   parameters.cellSize = m_CellSize;
   parameters.minimumDihedralAngle = m_MinimumDihedralAngle;
@@ -444,26 +487,83 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::MakeParameters(const Del
   };
   for (const std::uint32_t component : kept)
   {
-    parameters.componentDelta.push_back(oracle.ComputeComponentDelta(m_Components[component], parameters.delta));
+    parameters.componentDelta.push_back(oracle.ComputeComponentDelta(m_Components[component], m_EffectiveDelta));
   }
+  // No component needs more; a box that is far too large for the object would cost precision.
+  parameters.delta = *std::max_element(parameters.componentDelta.begin(), parameters.componentDelta.end());
   return parameters;
+}
+
+template <typename TInputImage, typename TOutputMesh>
+void
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::VerifyGeometry(const InputImageType * image) const
+{
+  const auto & d = image->GetDirection();
+  const double determinant = d[0][0] * (d[1][1] * d[2][2] - d[1][2] * d[2][1]) -
+                             d[0][1] * (d[1][0] * d[2][2] - d[1][2] * d[2][0]) +
+                             d[0][2] * (d[1][0] * d[2][1] - d[1][1] * d[2][0]);
+  constexpr double leastDeterminant = 1e-6;
+  bool             isUsable = std::abs(determinant) >= leastDeterminant; // false for NaN
+  for (unsigned int i = 0; i < ImageDimension; ++i)
+  {
+    isUsable = isUsable && std::isfinite(image->GetOrigin()[i]) && std::isfinite(image->GetSpacing()[i]);
+  }
+  if (!isUsable)
+  {
+    itkExceptionMacro("The image's origin, spacing and direction must be finite numbers, the direction not singular");
+  }
+}
+
+template <typename TInputImage, typename TOutputMesh>
+void
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::VerifyPrecision(
+  const DelaunayRefinementLatticeOracle & oracle,
+  const DelaunayRefinementParameters &    parameters) const
+{
+  using CoordinateType = typename OutputMeshType::CoordRepType;
+  constexpr double largestShare = 0.05;
+  const auto       bounds = oracle.GetSurfaceBounds();
+  double           largest = 0.0;
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    largest = std::max({ largest, std::abs(bounds.minimum[i]), std::abs(bounds.maximum[i]) });
+  }
+  const double least = *std::min_element(parameters.componentDelta.begin(), parameters.componentDelta.end());
+  if (largest * static_cast<double>(std::numeric_limits<CoordinateType>::epsilon()) > largestShare * least)
+  {
+    itkExceptionMacro("Coordinates as large as " << largest << " mm can't tell points apart for Delta " << least
+                                                 << " mm in the mesh's type of coordinates; use a mesh with double "
+                                                    "coordinates, a larger Delta, or an origin nearer to 0");
+  }
 }
 
 template <typename TInputImage, typename TOutputMesh>
 void
 DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::VerifyMemory(
   const DelaunayRefinementLatticeOracle & oracle,
+  const std::vector<std::uint32_t> &      kept,
   const DelaunayRefinementParameters &    parameters) const
 {
   // Measured: some 800 bytes for each tetrahedron of the mesh, those outside it included.
-  constexpr double          megabytesPerTetrahedron = 1e-3;
-  const double              megabytes = megabytesPerTetrahedron * oracle.EstimateNumberOfTetrahedra(parameters);
+  constexpr double megabytesPerTetrahedron = 1e-3;
+  double           megabytes = megabytesPerTetrahedron * oracle.EstimateNumberOfTetrahedra(parameters);
+  for (std::size_t i = 0; i < kept.size(); ++i)
+  {
+    if (parameters.componentDelta[i] < parameters.delta)
+    {
+      // A ball has three times its volume over its radius for a surface.
+      constexpr double                    tetrahedraPerArea = 3.4;
+      const DelaunayRefinementComponent & component = m_Components[kept[i]];
+      megabytes += megabytesPerTetrahedron * tetrahedraPerArea * 3.0 * component.volume /
+                   (component.inscribedRadius * parameters.componentDelta[i] * parameters.componentDelta[i]);
+    }
+  }
   itksys::SystemInformation system;
   system.RunMemoryCheck();
   const double available = static_cast<double>(system.GetAvailablePhysicalMemory());
   if (megabytes > available && available > 0.0)
   {
-    itkExceptionMacro("Delta " << parameters.delta << " is too small for this object: the mesh would need some "
+    itkExceptionMacro("Delta " << m_EffectiveDelta << " is too small for this object: the mesh would need some "
                                << std::ceil(megabytes / 1024.0) << " GB of memory, and "
                                << std::floor(available / 1024.0) << " GB are free; set a larger Delta or CellSize");
   }
@@ -536,7 +636,7 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::WarnOfComponents()
 template <typename TInputImage, typename TOutputMesh>
 void
 DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::CopyResult(const DelaunayRefinementResult & result,
-                                                                   double                           label)
+                                                                   InputPixelType                   label)
 {
   const auto copyPoints = [](const DelaunayRefinementPoint & from) {
     typename OutputMeshType::PointType to;
@@ -591,13 +691,19 @@ template <typename TInputImage, typename TOutputMesh>
 template <typename TCell, typename TCellPoints, typename TNumbering>
 void
 DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::CopyCells(const std::vector<TCellPoints> & from,
-                                                                  double                           label,
+                                                                  InputPixelType                   label,
                                                                   const TNumbering &               numberOf,
                                                                   OutputMeshType *                 to)
 {
   const auto value = static_cast<typename OutputMeshType::CellPixelType>(label);
-  auto       cells = OutputMeshType::CellsContainer::New();
-  auto       data = OutputMeshType::CellDataContainer::New();
+  if (static_cast<InputPixelType>(value) != label)
+  {
+    itkExceptionMacro("The mesh's type of cell data can't hold the label "
+                      << static_cast<typename NumericTraits<InputPixelType>::PrintType>(label)
+                      << "; use a mesh with larger integers for cell data");
+  }
+  auto cells = OutputMeshType::CellsContainer::New();
+  auto data = OutputMeshType::CellDataContainer::New();
   cells->Reserve(static_cast<IdentifierType>(from.size()));
   data->Reserve(static_cast<IdentifierType>(from.size()));
   // From here on the mesh owns the cells.

@@ -90,6 +90,9 @@ public:
                                 const ObjectType & object,
                                 InterpolatorType * interpolator = nullptr);
 
+  /** Leaves the interpolator without an input image. */
+  ~ImageDelaunayRefinementOracle() override;
+
 protected:
   double
   GetVoxelValue(std::int32_t x, std::int32_t y, std::int32_t z) const override;

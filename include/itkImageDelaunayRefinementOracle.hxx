@@ -90,6 +90,15 @@ ImageDelaunayRefinementOracle<TImage>::ImageDelaunayRefinementOracle(const Image
 }
 
 template <typename TImage>
+ImageDelaunayRefinementOracle<TImage>::~ImageDelaunayRefinementOracle()
+{
+  if (m_Interpolator.IsNotNull())
+  {
+    m_Interpolator->SetInputImage(nullptr);
+  }
+}
+
+template <typename TImage>
 typename ImageDelaunayRefinementOracle<TImage>::FrameType
 ImageDelaunayRefinementOracle<TImage>::ComputeFrame(const ImageType * image)
 {

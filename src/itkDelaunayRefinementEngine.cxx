@@ -46,7 +46,7 @@ constexpr double BoxDistance = 2.8284271247461903 * 1.001;
 constexpr unsigned int ProgressInterval = 256;
 
 /** A component without a tetrahedron gets half its delta this often. */
-constexpr unsigned int MaximumNumberOfLowerings = 6;
+constexpr unsigned int MaximumNumberOfLowerings = 4;
 
 /** Tetrahedra with a smaller volume over their longest edge cubed get another vertex, moved by this share of delta. */
 constexpr double       FlattestShape = 1e-10;
@@ -105,6 +105,10 @@ private:
   void
   Examine(const std::vector<IndexType> & cells);
 
+  /** R1 for what is open of the surface, \c numberOfVertices being there already; false if the run is to stop. */
+  bool
+  Certify(std::vector<PointType> & points, std::size_t numberOfVertices);
+
   bool
   ApplyR3();
   bool
@@ -114,8 +118,9 @@ private:
   bool
   ApplyR4();
 
-  /** Inserts a vertex; a feature vertex also removes the free vertices within 2 delta (section III). */
-  void
+  /** Inserts a vertex, None if there is one at the point or the limit is reached; a feature vertex also removes the
+   * free vertices within 2 delta (section III), or within the cell size if that is less. */
+  IndexType
   Insert(RefinementRule rule, const PointType & point, VertexKind kind, double delta, IndexType hint);
 
   void
@@ -323,6 +328,19 @@ DelaunayRefinementEngine::Impl::Examine(const std::vector<IndexType> & cells)
 }
 
 bool
+DelaunayRefinementEngine::Impl::Certify(std::vector<PointType> & points, std::size_t numberOfVertices)
+{
+  const auto keepGoing = [&] {
+    if (points.size() + numberOfVertices > m_Parameters.maximumNumberOfVertices)
+    {
+      m_Reason = TerminationReason::VERTEX_LIMIT;
+    }
+    return this->KeepGoing();
+  };
+  return m_Sample->Certify(points, keepGoing);
+}
+
+bool
 DelaunayRefinementEngine::Impl::ApplyR3()
 {
   DelaunayRefinementQueue::EntryType entry;
@@ -347,7 +365,7 @@ DelaunayRefinementEngine::Impl::ApplyR1()
   }
   // All at once: the points keep their distance from each other and from the vertices there are now.
   std::vector<PointType> points;
-  m_Sample->Certify(points, [this] { return this->KeepGoing(); });
+  this->Certify(points, m_Complex->GetNumberOfVertices());
   for (std::size_t i = 0; i < points.size() && m_Reason == TerminationReason::COMPLETED; ++i)
   {
     this->InsertFeature(RefinementRule::R1, points[i], m_Complex->GetTriangulation().GetCellOfVertex(1));
@@ -418,14 +436,14 @@ void
 DelaunayRefinementEngine::Impl::InsertFeature(RefinementRule rule, const PointType & point, IndexType hint)
 {
   const PointType rounded = m_Complex->Round(point);
-  if (rule != RefinementRule::R1)
+  const IndexType vertex = this->Insert(rule, rounded, VertexKind::FEATURE, m_LocalDelta.GetAt(point), hint);
+  if (vertex != DelaunayRefinementComplex::None && rule != RefinementRule::R1)
   {
     m_Sample->Add(rounded);
   }
-  this->Insert(rule, rounded, VertexKind::FEATURE, m_LocalDelta.GetAt(point), hint);
 }
 
-void
+DelaunayRefinementEngine::Impl::IndexType
 DelaunayRefinementEngine::Impl::Insert(RefinementRule    rule,
                                        const PointType & point,
                                        VertexKind        kind,
@@ -435,18 +453,18 @@ DelaunayRefinementEngine::Impl::Insert(RefinementRule    rule,
   if (m_Complex->GetNumberOfVertices() >= m_Parameters.maximumNumberOfVertices)
   {
     m_Reason = TerminationReason::VERTEX_LIMIT;
-    return;
+    return DelaunayRefinementComplex::None;
   }
   const IndexType vertex = m_Complex->Insert(point, kind, delta, hint);
   if (vertex == DelaunayRefinementComplex::None)
   {
-    return;
+    return vertex;
   }
   ++m_Statistics.insertions[static_cast<std::size_t>(rule)];
   this->Examine(m_Complex->GetNewCells());
   if (kind == VertexKind::FEATURE && m_Complex->GetNumberOfVertices(VertexKind::FREE) > 0)
   {
-    m_Complex->FindVerticesWithin(vertex, 2.0 * delta, m_Found);
+    m_Complex->FindVerticesWithin(vertex, std::min(2.0 * delta, m_Parameters.cellSize), m_Found);
     for (const IndexType found : m_Found)
     {
       if (m_Complex->GetKind(found) == VertexKind::FREE)
@@ -457,15 +475,15 @@ DelaunayRefinementEngine::Impl::Insert(RefinementRule    rule,
       }
     }
   }
+  return vertex;
 }
 
 void
 DelaunayRefinementEngine::Impl::Encroach(const DelaunayRefinementEncroachment::ProposalType & proposal, IndexType cell)
 {
-  const VertexKind  kind = proposal.which == EncroachmentCase::E2 ? VertexKind::BOX : VertexKind::BOX_EDGE;
-  const std::size_t before = m_Complex->GetNumberOfVertices();
-  this->Insert(RefinementRule::R2, proposal.point, kind, 0.0, cell);
-  if (m_Complex->GetNumberOfVertices() == before)
+  const VertexKind kind = proposal.which == EncroachmentCase::E2 ? VertexKind::BOX : VertexKind::BOX_EDGE;
+  const IndexType  vertex = this->Insert(RefinementRule::R2, proposal.point, kind, 0.0, cell);
+  if (vertex == DelaunayRefinementComplex::None)
   {
     return;
   }
@@ -476,7 +494,7 @@ DelaunayRefinementEngine::Impl::Encroach(const DelaunayRefinementEncroachment::P
     return;
   }
   // Emptying the ball after the insertion leads to the same triangulation as before it.
-  m_Complex->FindVerticesWithin(m_Complex->GetTriangulation().GetNumberOfVertexIndexes() - 1, proposal.radius, m_Found);
+  m_Complex->FindVerticesWithin(vertex, proposal.radius, m_Found);
   for (const IndexType found : m_Found)
   {
     const VertexKind other = m_Complex->GetKind(found);
@@ -532,12 +550,18 @@ DelaunayRefinementEngine::Impl::MendFlatTetrahedra()
 void
 DelaunayRefinementEngine::Impl::MoveVertex(IndexType vertex)
 {
+  if (m_Complex->GetTriangulation().GetCellOfVertex(vertex) == DelaunayRefinementComplex::None)
+  {
+    // A feature vertex that was moved before this one made room for itself.
+    return;
+  }
   const VertexKind kind = m_Complex->GetKind(vertex);
   const double     delta = kind == VertexKind::FEATURE ? m_Complex->GetDelta(vertex) : m_LocalDelta.GetMinimum();
-  PointType        moved = m_Complex->GetPoint(vertex);
+  const PointType  old = m_Complex->GetPoint(vertex);
+  PointType        moved = old;
   for (double & coordinate : moved)
   {
-    coordinate += ShapeMove * delta * (2.0 * static_cast<double>(m_Random() >> 11) / 9007199254740992.0 - 1.0);
+    coordinate += ShapeMove * delta * (2.0 * static_cast<double>(m_Random() >> 11) * 0x1p-53 - 1.0);
   }
   if (kind == VertexKind::FEATURE)
   {
@@ -550,7 +574,13 @@ DelaunayRefinementEngine::Impl::MoveVertex(IndexType vertex)
   }
   m_Complex->Remove(vertex);
   this->Examine(m_Complex->GetNewCells());
-  this->Insert(RefinementRule::SHAPE, m_Complex->Round(moved), kind, delta, m_Complex->GetNewCells().front());
+  const IndexType hint = m_Complex->GetNewCells().front();
+  if (this->Insert(RefinementRule::SHAPE, m_Complex->Round(moved), kind, delta, hint) ==
+      DelaunayRefinementComplex::None)
+  {
+    // Somebody is there already.
+    this->Insert(RefinementRule::SHAPE, old, kind, delta, m_Complex->GetTriangulation().GetCellOfVertex(1));
+  }
 }
 
 bool

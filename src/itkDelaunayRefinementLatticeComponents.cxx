@@ -52,6 +52,9 @@ constexpr std::size_t FewVoxels = 8;
 /** The radius of a ball in a single voxel's half level, in voxels. */
 constexpr double RadiusOfVoxel = 0.35;
 
+/** Voxels at the level of a grey image may make components without volume; these hold no larger ball. */
+constexpr double LeastRadiusInVoxels = 0.01;
+
 /** Components of few voxels are left out if delta is larger than this many radii. */
 constexpr double LargestDeltaPerRadius = 4.0;
 } // namespace
@@ -64,13 +67,15 @@ DelaunayRefinementLatticeOracle::ComputeComponents(double enough) const
   const double                 voxelVolume =
     std::abs(Geometry::Dot(m_Frame.axes[0], Geometry::Cross(m_Frame.axes[1], m_Frame.axes[2])));
   std::vector<DelaunayRefinementComponent> components(infos.size());
+  // Single voxels of a mask look the same everywhere.
+  const bool isMask = m_Model == ModelEnum::INDICATOR || m_Model == ModelEnum::NEAREST;
   for (std::size_t i = 0; i < infos.size(); ++i)
   {
     const IndexType & first = infos[i].firstVoxel;
     components[i].numberOfVoxels = infos[i].numberOfVoxels;
     components[i].volume = voxelVolume * static_cast<double>(infos[i].numberOfVoxels);
     components[i].firstVoxel = this->ToPhysical(PointType{ first[0] + 1.0, first[1] + 1.0, first[2] + 1.0 });
-    components[i].inscribedRadius = infos[i].numberOfVoxels < FewVoxels
+    components[i].inscribedRadius = isMask && infos[i].numberOfVoxels < FewVoxels
                                       ? RadiusOfVoxel * this->GetLeastSpacing()
                                       : this->ClimbToInscribedRadius(centers[i], enough);
   }
@@ -248,6 +253,12 @@ bool
 DelaunayRefinementLatticeOracle::IsNegligible(const DelaunayRefinementComponent & component, double delta) const
 {
   return component.numberOfVoxels < FewVoxels && delta > LargestDeltaPerRadius * component.inscribedRadius;
+}
+
+bool
+DelaunayRefinementLatticeOracle::HasVolume(const DelaunayRefinementComponent & component) const
+{
+  return component.inscribedRadius > LeastRadiusInVoxels * this->GetLeastSpacing();
 }
 
 double

@@ -171,14 +171,15 @@ DelaunayRefinementLatticeOracle::GetGreatestLength(const PointType & e) const
 double
 DelaunayRefinementLatticeOracle::GetCornerValue(std::int32_t x, std::int32_t y, std::int32_t z) const
 {
-  // The mask prevails: removed components and the outer layer are mirrored about the level.
-  constexpr double   leastOutside = 1e-30;
+  // The mask prevails: removed components and the outer layer are mirrored about the level. No value is at the level
+  // itself, so that a plateau there ends half a voxel beyond its last voxel, too.
+  constexpr double   least = 1e-30;
   const auto &       size = m_Mask->GetSize();
   const std::int32_t nearX = std::clamp(x, 0, size[0] - 1);
   const std::int32_t nearY = std::clamp(y, 0, size[1] - 1);
   const std::int32_t nearZ = std::clamp(z, 0, size[2] - 1);
-  const double       value = this->GetVoxelValue(nearX, nearY, nearZ);
-  return m_Mask->Get(x, y, z) ? std::abs(value) : -std::max(std::abs(value), leastOutside);
+  const double       magnitude = std::max(std::abs(this->GetVoxelValue(nearX, nearY, nearZ)), least);
+  return m_Mask->Get(x, y, z) ? magnitude : -magnitude;
 }
 
 std::array<double, 8>

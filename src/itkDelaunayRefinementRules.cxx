@@ -92,15 +92,16 @@ DelaunayRefinementRules::ComputeR3Threshold(IndexType cell, unsigned int i) cons
   const auto   a = vertices[(i + 1) & 3];
   const auto   b = vertices[(i + 2) & 3];
   const auto   c = vertices[(i + 3) & 3];
-  if (m_Parameters.radiusEdgeRatioBound >= 2.0 &&
-      !(m_Complex.IsFeature(a) && m_Complex.IsFeature(b) && m_Complex.IsFeature(c)))
-  {
-    return ShortestShare * std::min(delta, m_Parameters.cellSize);
-  }
   const double squaredEdge = std::min({ Geometry::SquaredDistance(m_Complex.GetPoint(a), m_Complex.GetPoint(b)),
                                         Geometry::SquaredDistance(m_Complex.GetPoint(b), m_Complex.GetPoint(c)),
                                         Geometry::SquaredDistance(m_Complex.GetPoint(c), m_Complex.GetPoint(a)) });
-  return std::sqrt(std::min(delta * delta, squaredEdge) * SquaredMargin);
+  const double threshold = std::sqrt(std::min(delta * delta, squaredEdge) * SquaredMargin);
+  if (m_Parameters.radiusEdgeRatioBound >= 2.0 &&
+      !(m_Complex.IsFeature(a) && m_Complex.IsFeature(b) && m_Complex.IsFeature(c)))
+  {
+    return std::min(threshold, ShortestShare * std::min(delta, m_Parameters.cellSize));
+  }
+  return threshold;
 }
 
 bool
@@ -212,7 +213,7 @@ bool
 DelaunayRefinementRules::FiresCellSize(IndexType cell) const
 {
   const auto & state = m_Complex.GetState(cell);
-  return state.region != 0 && state.ball.squaredRadius > m_Parameters.cellSize * m_Parameters.cellSize;
+  return state.region != 0 && state.ball.squaredRadius >= m_Parameters.cellSize * m_Parameters.cellSize * SquaredMargin;
 }
 
 bool

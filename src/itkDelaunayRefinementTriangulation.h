@@ -126,22 +126,6 @@ public:
     return v[0] == InfiniteVertex || v[1] == InfiniteVertex || v[2] == InfiniteVertex || v[3] == InfiniteVertex;
   }
 
-  /** Which neighbor of \c neighbor is \c cell. */
-  unsigned int
-  FindNeighbor(IndexType neighbor, IndexType cell) const
-  {
-    const auto & n = m_Cells[neighbor].neighbors;
-    return n[0] == cell ? 0 : n[1] == cell ? 1 : n[2] == cell ? 2 : 3;
-  }
-
-  /** Which vertex of \c cell is \c vertex. */
-  unsigned int
-  FindVertex(IndexType cell, IndexType vertex) const
-  {
-    const auto & v = m_Cells[cell].vertices;
-    return v[0] == vertex ? 0 : v[1] == vertex ? 1 : v[2] == vertex ? 2 : 3;
-  }
-
   /** Checks structure and the Delaunay property of everything; slow. */
   bool
   IsValid() const;
