@@ -152,6 +152,10 @@ DelaunayRefinementComplex::UpdateStates(const std::vector<IndexType> & cells)
       state.ball = DelaunayRefinementGeometry::ComputeCircumsphere(points[0], points[1], points[2], points[3]);
       state.region = m_Oracle.Classify(state.ball.center);
     }
+    else
+    {
+      m_States[cell] = {};
+    }
   }
 }
 } // end namespace itk

@@ -103,7 +103,7 @@ public:
     return m_Box;
   }
 
-  /** Of a finite cell. */
+  /** Infinite cells have a radius of 0, outside. */
   const CellStateType &
   GetState(IndexType cell) const
   {

@@ -228,7 +228,6 @@ DelaunayRefinementEngine::Impl::RunAllPhases()
   }
 
   start = Clock::now();
-  m_Statistics.missingComponents = this->FindMissingComponents();
   if (this->KeepGoing())
   {
     m_Result = ExtractDelaunayRefinementResult(*m_Complex);
@@ -586,17 +585,13 @@ DelaunayRefinementEngine::Impl::MoveVertex(IndexType vertex)
 bool
 DelaunayRefinementEngine::Impl::LowerDeltaOfMissingComponents()
 {
-  if (m_NumberOfLowerings == MaximumNumberOfLowerings)
-  {
-    return false;
-  }
-  const std::vector<std::uint32_t> missing = this->FindMissingComponents();
-  if (missing.empty())
+  m_Statistics.missingComponents = this->FindMissingComponents();
+  if (m_Statistics.missingComponents.empty() || m_NumberOfLowerings == MaximumNumberOfLowerings)
   {
     return false;
   }
   ++m_NumberOfLowerings;
-  for (const std::uint32_t component : missing)
+  for (const std::uint32_t component : m_Statistics.missingComponents)
   {
     m_LocalDelta.Lower(component, 0.5 * m_LocalDelta.GetOfComponent(component));
   }

@@ -31,6 +31,9 @@ constexpr double SquaredMargin = 1.0 - 2e-9;
 /** No rule without a proof of its own makes edges shorter than this share of delta. */
 constexpr double ShortestShare = 0.25;
 
+/** No surface ball has a radius above this share of the largest delta, once R1 is done. */
+constexpr double LargestBallShare = 1.01;
+
 constexpr double DegreesToRadians = 0.017453292519943295;
 } // namespace
 
@@ -101,7 +104,9 @@ DelaunayRefinementRules::ComputeR3Threshold(IndexType cell, unsigned int i) cons
   {
     return std::min(threshold, ShortestShare * std::min(delta, m_Parameters.cellSize));
   }
-  return threshold;
+  // R1 leaves no surface ball larger than delta, with room for vertices that were moved by a little.
+  const double largestBall = LargestBallShare * m_LocalDelta.GetMaximum();
+  return squaredEdge > largestBall * largestBall ? std::numeric_limits<double>::infinity() : threshold;
 }
 
 bool
@@ -109,13 +114,9 @@ DelaunayRefinementRules::MayFireR3(IndexType cell, unsigned int i) const
 {
   const auto &    triangulation = m_Complex.GetTriangulation();
   const IndexType neighbor = triangulation.GetCell(cell).neighbors[i];
-  if (triangulation.IsInfinite(cell) || triangulation.IsInfinite(neighbor))
-  {
-    return false;
-  }
-  const auto & one = m_Complex.GetState(cell);
-  const auto & other = m_Complex.GetState(neighbor);
-  if (one.region == other.region)
+  const auto &    one = m_Complex.GetState(cell);
+  const auto &    other = m_Complex.GetState(neighbor);
+  if (one.region == other.region || triangulation.IsInfinite(cell) || triangulation.IsInfinite(neighbor))
   {
     return false;
   }

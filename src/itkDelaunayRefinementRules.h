@@ -89,7 +89,7 @@ private:
   double
   GetDeltaOfFeatures(const std::array<IndexType, 4> & vertices, unsigned int leftOut) const;
 
-  /** Surface balls of a facet with at least this radius make R3 fire. */
+  /** Surface balls of a facet with at least this radius make R3 fire; infinity if none can be so large. */
   double
   ComputeR3Threshold(IndexType cell, unsigned int i) const;
 

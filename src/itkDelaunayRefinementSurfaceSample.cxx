@@ -110,7 +110,7 @@ DelaunayRefinementSurfaceSample::Cover(OpenPatchType & open, bool isUniform, std
   }
   const double own = isUniform ? m_LocalDelta.GetMaximum() : m_LocalDelta.GetAt(point);
   const double apart = Separation * own;
-  open.vertex = m_Grid.FindNearest(point, apart, 0.0);
+  open.vertex = m_Grid.FindNearest(point, apart, 0.5 * apart);
   if (open.vertex == DelaunayRefinementPointGrid::None)
   {
     if (m_RoundToFloat)
