@@ -56,6 +56,13 @@ ExpectMeshOfShape(const ImageGeometry & geometry, const AnalyticOracle & shape, 
   const CheckedMesh mesh = GetMesh(filter.GetPointer());
   ExpectGuarantees(mesh);
   ExpectManifoldBoundary(mesh);
+  const BoxType meshBounds = ComputeBoundingBox(mesh.points);
+  const auto    shapeBounds = shape.GetSurfaceBounds();
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    ASSERT_GT(meshBounds.minimum[i], shapeBounds.minimum[i] - delta);
+    ASSERT_LT(meshBounds.maximum[i], shapeBounds.maximum[i] + delta);
+  }
   EXPECT_NEAR(ComputeVolume(mesh) / shape.ComputeVolume(), 1.0, 0.06);
   EXPECT_LT(ComputeMaximumDistance(SampleBoundary(mesh, delta / 4.0),
                                    [&](const PointType & p) { return std::abs(shape.ComputeSignedDistance(p)); }),
