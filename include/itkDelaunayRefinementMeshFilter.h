@@ -193,6 +193,9 @@ protected:
   VerifyPreconditions() ITKv5_CONST override;
 
   void
+  GenerateOutputInformation() override;
+
+  void
   GenerateData() override;
 
 private:

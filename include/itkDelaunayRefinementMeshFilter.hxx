@@ -145,6 +145,13 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::GetMTime() const
 
 template <typename TInputImage, typename TOutputMesh>
 void
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::GenerateOutputInformation()
+{
+  // Meshes have nothing to tell before they are made.
+}
+
+template <typename TInputImage, typename TOutputMesh>
+void
 DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::VerifyPreconditions() ITKv5_CONST
 {
   Superclass::VerifyPreconditions();
@@ -240,6 +247,7 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::GenerateData()
     const auto copyStart = Clock::now();
     this->CopyResult(result, label);
     m_CopySeconds = secondsSince(copyStart);
+    this->UpdateProgress(1.0f);
   }
 }
 

@@ -64,7 +64,7 @@ public:
   double
   Round(double coordinate) const
   {
-    return m_RoundToFloat ? static_cast<double>(static_cast<float>(coordinate)) : coordinate;
+    return m_RoundToFloat ? DelaunayRefinementGeometry::RoundToFloat(coordinate) : coordinate;
   }
 
   PointType

@@ -72,6 +72,15 @@ public:
     return std::sqrt(SquaredDistance(a, b));
   }
 
+  /** The nearest number of single precision. */
+  static double
+  RoundToFloat(double number)
+  {
+    // GCC 12 drops the rounding where it vectorizes, unless the float is stored.
+    volatile float rounded = static_cast<float>(number);
+    return rounded;
+  }
+
   /** Six times the signed volume: positive in VTK's order. */
   static double
   Determinant(const PointType & a, const PointType & b, const PointType & c, const PointType & d)

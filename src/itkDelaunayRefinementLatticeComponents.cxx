@@ -62,6 +62,8 @@ constexpr double LargestDeltaPerRadius = 4.0;
 std::vector<DelaunayRefinementComponent>
 DelaunayRefinementLatticeOracle::ComputeComponents(double enough) const
 {
+  // A tiny delta is no reason to call components thin.
+  enough = std::max(enough, this->GetLeastSpacing());
   const auto &                 infos = m_Components->GetComponents();
   const std::vector<IndexType> centers = this->FindThickVoxels(enough);
   const double                 voxelVolume =

@@ -115,8 +115,7 @@ DelaunayRefinementSurfaceSample::Cover(OpenPatchType & open, bool isUniform, std
   {
     if (m_RoundToFloat)
     {
-      std::transform(
-        point.begin(), point.end(), point.begin(), [](double x) { return static_cast<double>(static_cast<float>(x)); });
+      std::transform(point.begin(), point.end(), point.begin(), Geometry::RoundToFloat);
     }
     open.vertex = m_Grid.Add(point);
     points.push_back(point);

@@ -71,7 +71,7 @@ TEST(DelaunayRefinementMeshFilter, Defaults)
   EXPECT_FALSE(filter->GetMergeLabels());
   EXPECT_FALSE(filter->GetLargestComponentOnly());
   EXPECT_EQ(filter->GetMinimumComponentSize(), 1u);
-  EXPECT_EQ(filter->GetModifiableInterpolator(), nullptr);
+  EXPECT_STREQ(filter->GetModifiableInterpolator()->GetNameOfClass(), "LinearInterpolateImageFunction");
   EXPECT_EQ(filter->GetEffectiveDelta(), 0.0);
   EXPECT_TRUE(filter->GetComponents().empty());
   EXPECT_TRUE(filter->GetWarnings().empty());
