@@ -155,13 +155,10 @@ public:
   itkGetConstMacro(MinimumComponentSize, SizeValueType);
 
   /** The interpolator of the indicator or of the grey values. Default: linear. One that is neither linear nor nearest
-   * neighbor is given an input image by the filter. */
+   * neighbor is given an input image by the filter; after a change of its own
+   * parameters call Modified() on the filter. */
   itkSetObjectMacro(Interpolator, InterpolatorType);
   itkGetModifiableObjectMacro(Interpolator, InterpolatorType);
-
-  /** Also that of the interpolator. */
-  ModifiedTimeType
-  GetMTime() const override;
 
   /** The delta of the last run: Delta, or the one that was chosen. */
   itkGetConstMacro(EffectiveDelta, double);

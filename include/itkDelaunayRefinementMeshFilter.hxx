@@ -136,14 +136,6 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::UnsetObjectDefinition()
 }
 
 template <typename TInputImage, typename TOutputMesh>
-ModifiedTimeType
-DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::GetMTime() const
-{
-  const ModifiedTimeType own = Superclass::GetMTime();
-  return m_Interpolator.IsNull() ? own : std::max(own, m_Interpolator->GetMTime());
-}
-
-template <typename TInputImage, typename TOutputMesh>
 void
 DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::GenerateOutputInformation()
 {
@@ -246,6 +238,9 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::GenerateData()
 
     const auto copyStart = Clock::now();
     this->CopyResult(result, label);
+    // What was asked for is there: else every Update() would run again.
+    this->GetOutput()->SetBufferedRegion(this->GetOutput()->GetRequestedRegion());
+    this->GetBoundaryOutput()->SetBufferedRegion(this->GetBoundaryOutput()->GetRequestedRegion());
     m_CopySeconds = secondsSince(copyStart);
     this->UpdateProgress(1.0f);
   }
