@@ -20,7 +20,6 @@
 
 #include "itkFilterRun.h"
 
-#include <chrono>
 #include <functional>
 #include <random>
 
@@ -28,10 +27,9 @@ using namespace itk::DelaunayRefinementTest;
 
 namespace
 {
-const PointType        origin{ 0.0, 0.0, 0.0 };
-constexpr double       infinity = std::numeric_limits<double>::infinity();
-constexpr double       notANumber = std::numeric_limits<double>::quiet_NaN();
-constexpr unsigned int refusedInSeconds = 10;
+const PointType  origin{ 0.0, 0.0, 0.0 };
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
 
 LabelImageType::Pointer
 MakeBall()
@@ -297,7 +295,7 @@ TEST(DelaunayRefinementMeshFilterErrors, VertexLimitKeepsStatistics)
 
 TEST(DelaunayRefinementMeshFilterErrors, FarTooSmallDeltaIsRefusedAtOnce)
 {
-  const auto start = std::chrono::steady_clock::now();
+  // Without an estimate, this would go on until memory ends.
   const auto image = MakeBall();
   for (const double delta : { 1e-3, 1e-6, 1e-300 })
   {
@@ -307,6 +305,4 @@ TEST(DelaunayRefinementMeshFilterErrors, FarTooSmallDeltaIsRefusedAtOnce)
   const auto filter = MakeFilter(image.GetPointer(), 1.0);
   filter->SetCellSize(1e-4);
   ExpectError(filter.GetPointer(), { "CellSize" });
-  // Not a question of speed: without the estimate, this would go on until memory ends.
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(refusedInSeconds));
 }
