@@ -180,8 +180,13 @@ private:
   double
   GetGreatestLength(const PointType & extents) const;
 
+  /** GREY: the values at the corners of a cell, minus the level. */
   std::array<double, 8>
   GetCellValues(const IndexType & cell) const;
+
+  /** The octants of a cube of a cell that may hold surface, x fastest. */
+  unsigned int
+  FindOctants(const IndexType & cell, const PointType & corner, double size) const;
 
   double
   GetCornerValue(std::int32_t x, std::int32_t y, std::int32_t z) const;

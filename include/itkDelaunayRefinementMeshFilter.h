@@ -111,6 +111,12 @@ public:
   itkSetMacro(MinimumDihedralAngle, double);
   itkGetConstMacro(MinimumDihedralAngle, double);
 
+  /** Rule R2, with E1 to E3, is also applied to tetrahedra whose circumcenter is outside the object, as in the paper
+   * (section III). No guarantee needs it, and the run takes about twice as long. Default off. */
+  itkSetMacro(RefineOutside, bool);
+  itkGetConstMacro(RefineOutside, bool);
+  itkBooleanMacro(RefineOutside);
+
   /** The filter gives up with an exception before the triangulation (vertices outside the object included) has more
    * vertices. Positive; default: no limit. */
   itkSetMacro(MaximumNumberOfVertices, SizeValueType);
@@ -251,6 +257,7 @@ private:
   bool                               m_DeltaIsSet{ false };
   double                             m_RadiusEdgeRatioBound{ 2.0 };
   double                             m_CellSize{ std::numeric_limits<double>::infinity() };
+  bool                               m_RefineOutside{ false };
   double                             m_MinimumDihedralAngle{ 0.0 };
   SizeValueType                      m_MaximumNumberOfVertices{ NumericTraits<SizeValueType>::max() };
   double                             m_IsoValue{ 0.0 };

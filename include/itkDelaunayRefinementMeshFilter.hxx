@@ -481,6 +481,7 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::MakeParameters(const Del
   DelaunayRefinementParameters parameters;
   parameters.radiusEdgeRatioBound = m_RadiusEdgeRatioBound;
   parameters.cellSize = m_CellSize;
+  parameters.refineOutside = m_RefineOutside;
   parameters.minimumDihedralAngle = m_MinimumDihedralAngle;
   parameters.maximumNumberOfVertices = m_MaximumNumberOfVertices;
   parameters.roundToFloat = sizeof(typename OutputMeshType::CoordRepType) < sizeof(double);
@@ -744,6 +745,7 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::PrintSelf(std::ostream &
   os << indent << "RadiusEdgeRatioBound: " << m_RadiusEdgeRatioBound << '\n';
   os << indent << "CellSize: " << m_CellSize << '\n';
   os << indent << "MinimumDihedralAngle: " << m_MinimumDihedralAngle << '\n';
+  os << indent << "RefineOutside: " << onOff(m_RefineOutside) << '\n';
   os << indent << "MaximumNumberOfVertices: " << m_MaximumNumberOfVertices << '\n';
   os << indent << "IsoValue: " << m_IsoValue << '\n';
   os << indent << "IsoValueIsSet: " << onOff(m_IsoValueIsSet) << '\n';

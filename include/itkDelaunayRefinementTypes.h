@@ -55,6 +55,10 @@ struct DelaunayRefinementParameters
   /** Rule R4' is applied to tetrahedra with a smaller dihedral angle, in degrees. 0: R4' is off. */
   double minimumDihedralAngle{ 0.0 };
 
+  /** Whether R2, with E1 to E3, is also applied to tetrahedra whose circumcenter is outside, as in the paper. No
+   * guarantee needs it (docs/guarantees.md, section 4), and it takes about as long as all the rest. */
+  bool refineOutside{ false };
+
   /** The refinement stops with VERTEX_LIMIT before the triangulation has more vertices. */
   std::uint64_t maximumNumberOfVertices{ std::numeric_limits<std::uint64_t>::max() };
 

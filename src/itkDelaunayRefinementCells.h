@@ -27,6 +27,7 @@ namespace itk
 {
 /** The three kinds of cells below say where the object is inside the unit cube between eight voxel centers. All offer:
  * IsInside(point), MayIntersect(corner, size) for a cube within the cell (false only if the surface misses it),
+ * FindOctants(corner, size) (a bit for each octant of the cube, x fastest; 0 only if the surface misses it),
  * SamplesPerSide(size) (on a grid so fine the cube is mixed if it holds surface), and FindFirstChange(from, to,
  * isInside, share): the first share of the way at which the inside differs from \c isInside. */
 
@@ -79,6 +80,32 @@ public:
       }
     }
     return false;
+  }
+
+  unsigned int
+  FindOctants(const PointType & corner, double size) const
+  {
+    const double half = 0.5 * size;
+    unsigned int inside = 0; // of the grid of 27 points
+    for (unsigned int row = 0; row < 9; ++row)
+    {
+      const double y = corner[1] + row % 3 * half;
+      const double z = corner[2] + row / 3 * half;
+      const double atZero = m_Constant + y * (m_Y + z * m_YZ) + z * m_Z;
+      const double slope = m_X + y * (m_XY + z * m_XYZ) + z * m_XZ;
+      for (unsigned int x = 0; x < 3; ++x)
+      {
+        inside |= (atZero + (corner[0] + x * half) * slope >= 0.0 ? 1u : 0u) << (3 * row + x);
+      }
+    }
+    constexpr unsigned int corners = 1u << 0 | 1u << 1 | 1u << 3 | 1u << 4 | 1u << 9 | 1u << 10 | 1u << 12 | 1u << 13;
+    unsigned int           octants = 0;
+    for (unsigned int i = 0; i < 8; ++i)
+    {
+      const unsigned int at = inside >> ((i & 1u) + 3 * (i >> 1 & 1u) + 9 * (i >> 2)) & corners;
+      octants |= (at != 0 && at != corners ? 1u : 0u) << i;
+    }
+    return octants;
   }
 
   static unsigned int
@@ -225,6 +252,12 @@ public:
     return false;
   }
 
+  unsigned int
+  FindOctants(const PointType & corner, double size) const
+  {
+    return this->MayIntersect(corner, size) ? 0xFFu : 0u;
+  }
+
   static unsigned int
   SamplesPerSide(double)
   {
@@ -304,6 +337,12 @@ public:
       }
     }
     return false;
+  }
+
+  unsigned int
+  FindOctants(const PointType & corner, double size) const
+  {
+    return this->MayIntersect(corner, size) ? 0xFFu : 0u;
   }
 
   static unsigned int

@@ -595,7 +595,6 @@ DelaunayRefinementEngine::Impl::LowerDeltaOfMissingComponents()
   {
     m_LocalDelta.Lower(component, 0.5 * m_LocalDelta.GetOfComponent(component));
   }
-  m_Sample->Reopen();
   m_IsSampleOpen = true;
   return true;
 }

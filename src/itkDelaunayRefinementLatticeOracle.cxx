@@ -182,19 +182,27 @@ DelaunayRefinementLatticeOracle::GetCornerValue(std::int32_t x, std::int32_t y, 
   return m_Mask->Get(x, y, z) ? magnitude : -magnitude;
 }
 
-std::array<double, 8>
-DelaunayRefinementLatticeOracle::GetCellValues(const IndexType & cell) const
+std::vector<DelaunayRefinementIndicatorCell>
+DelaunayRefinementIndicatorCell::MakeAll()
 {
-  std::array<double, 8> values;
-  if (m_Model == ModelEnum::INDICATOR)
+  std::vector<DelaunayRefinementIndicatorCell> cells;
+  for (unsigned int configuration = 0; configuration < 256; ++configuration)
   {
-    const unsigned int configuration = m_Mask->GetConfiguration(cell[0], cell[1], cell[2]);
+    std::array<double, 8> values;
     for (unsigned int i = 0; i < 8; ++i)
     {
       values[i] = (configuration >> i & 1u) ? 0.5 : -0.5;
     }
-    return values;
+    const DelaunayRefinementLinearCell cell(values);
+    cells.push_back({ cell, cell.FindOctants({ 0.0, 0.0, 0.0 }, 1.0) });
   }
+  return cells;
+}
+
+std::array<double, 8>
+DelaunayRefinementLatticeOracle::GetCellValues(const IndexType & cell) const
+{
+  std::array<double, 8> values;
   for (std::int32_t i = 0; i < 8; ++i)
   {
     values[i] = this->GetCornerValue(cell[0] - 1 + (i & 1), cell[1] - 1 + (i >> 1 & 1), cell[2] - 1 + (i >> 2));

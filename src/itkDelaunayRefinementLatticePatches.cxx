@@ -103,6 +103,16 @@ DelaunayRefinementLatticeOracle::GetCellsOfPatch(const IndexType & index, unsign
          DelaunayRefinementBricks::GetBits(first, last);
 }
 
+unsigned int
+DelaunayRefinementLatticeOracle::FindOctants(const IndexType & cell, const PointType & corner, double size) const
+{
+  if (m_Model == ModelEnum::INDICATOR && size == 1.0)
+  {
+    return DelaunayRefinementIndicatorCell::Get(m_Mask->GetConfiguration(cell[0], cell[1], cell[2])).octants;
+  }
+  return this->VisitCell(cell, [&](const auto & content) { return content.FindOctants(corner, size); });
+}
+
 bool
 DelaunayRefinementLatticeOracle::MakePatch(const IndexType & index, unsigned int level, SurfacePatch & patch) const
 {
@@ -148,10 +158,23 @@ DelaunayRefinementLatticeOracle::MakePatch(const IndexType & index, unsigned int
     {
       return false;
     }
-    const PointType local{ index[0] * size - cell[0], index[1] * size - cell[1], index[2] * size - cell[2] };
-    if (shift > 0 && !this->VisitCell(cell, [&](const auto & content) { return content.MayIntersect(local, size); }))
+    const PointType    local{ index[0] * size - cell[0], index[1] * size - cell[1], index[2] * size - cell[2] };
+    const unsigned int octants = this->FindOctants(cell, local, size);
+    if (octants == 0)
     {
       return false;
+    }
+    // The bounds of the octants with surface.
+    constexpr unsigned int lower[3] = { 0x55u, 0x33u, 0x0Fu };
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      const bool hasLower = octants & lower[i];
+      const bool hasUpper = octants & ~lower[i];
+      if (hasLower != hasUpper)
+      {
+        extents[i] *= 0.5;
+        center[i] += hasLower ? -extents[i] : extents[i];
+      }
     }
   }
   patch.center = this->ToPhysical(center);

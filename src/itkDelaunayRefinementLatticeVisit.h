@@ -32,10 +32,33 @@ ToLocal(const DelaunayRefinementPoint & lattice, const std::array<std::int32_t, 
 {
   return { lattice[0] - cell[0], lattice[1] - cell[1], lattice[2] - cell[2] };
 }
+
+/** The cells of a mask's interpolated indicator, by configuration, with their octants. */
+struct DelaunayRefinementIndicatorCell
+{
+  DelaunayRefinementLinearCell cell;
+  unsigned int                 octants;
+
+  static const DelaunayRefinementIndicatorCell &
+  Get(unsigned int configuration)
+  {
+    static const std::vector<DelaunayRefinementIndicatorCell> cells = MakeAll();
+    return cells[configuration];
+  }
+
+private:
+  static std::vector<DelaunayRefinementIndicatorCell>
+  MakeAll();
+};
+
 template <typename TVisitor>
 auto
 DelaunayRefinementLatticeOracle::VisitCell(const IndexType & cell, const TVisitor & visitor) const
 {
+  if (m_Model == ModelEnum::INDICATOR)
+  {
+    return visitor(DelaunayRefinementIndicatorCell::Get(m_Mask->GetConfiguration(cell[0], cell[1], cell[2])).cell);
+  }
   if (m_Model == ModelEnum::NEAREST)
   {
     return visitor(DelaunayRefinementNearestCell(m_Mask->GetConfiguration(cell[0], cell[1], cell[2])));

@@ -87,4 +87,27 @@ DelaunayRefinementPointGrid::FindNearest(const PointType & point, double radius,
   }
   return nearest;
 }
+
+void
+DelaunayRefinementPointGrid::FindWithin(const PointType & point, double radius, std::vector<PointType> & found) const
+{
+  const CubeType first = this->ToCube(point, -radius);
+  const CubeType last = this->ToCube(point, radius);
+  for (std::int32_t z = first[2]; z <= last[2]; ++z)
+  {
+    for (std::int32_t y = first[1]; y <= last[1]; ++y)
+    {
+      for (std::int32_t x = first[0]; x <= last[0]; ++x)
+      {
+        for (std::int32_t node = m_Last[this->ToOffset(x, y, z)]; node != None; node = m_Nodes[node].previous)
+        {
+          if (DelaunayRefinementGeometry::SquaredDistance(point, m_Nodes[node].point) <= radius * radius)
+          {
+            found.push_back(m_Nodes[node].point);
+          }
+        }
+      }
+    }
+  }
+}
 } // end namespace itk

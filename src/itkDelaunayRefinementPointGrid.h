@@ -53,6 +53,16 @@ public:
   std::int32_t
   FindNearest(const PointType & point, double radius, double enough) const;
 
+  /** Appends the points within \c radius. */
+  void
+  FindWithin(const PointType & point, double radius, std::vector<PointType> & found) const;
+
+  std::size_t
+  GetNumberOfPoints() const
+  {
+    return m_Nodes.size();
+  }
+
 private:
   using CubeType = std::array<std::int32_t, 3>;
 

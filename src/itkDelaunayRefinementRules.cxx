@@ -66,7 +66,9 @@ bool
 DelaunayRefinementRules::MayFireR2(IndexType cell) const
 {
   const double delta = m_LocalDelta.GetMaximum();
-  return m_Complex.GetState(cell).ball.squaredRadius >= 4.0 * delta * delta * SquaredMargin;
+  const auto & state = m_Complex.GetState(cell);
+  return (m_Parameters.refineOutside || state.region != 0) &&
+         state.ball.squaredRadius >= 4.0 * delta * delta * SquaredMargin;
 }
 
 bool

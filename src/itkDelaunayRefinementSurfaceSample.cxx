@@ -38,8 +38,11 @@ constexpr double SmallestPatch = 1e-5;
 
 constexpr std::size_t VisitsBetweenQuestions = 16384;
 
-/** Patches larger than this share of delta are visited in a random order. */
-constexpr double LargePatch = 0.4;
+/** Patches no larger than this share of delta are sampled in a random order, which keeps the sample sparse. */
+constexpr double SampledPatch = 0.45;
+
+/** A part is sampled if its center is no further than this share of its radius inside the covered part of space. */
+constexpr double HopefulShare = 0.35;
 
 /** Patches smaller than this share of delta are held to belong to one component. */
 constexpr double SmallPatch = 0.3;
@@ -52,9 +55,7 @@ DelaunayRefinementSurfaceSample::DelaunayRefinementSurfaceSample(const DelaunayR
   , m_LocalDelta(localDelta)
   , m_RoundToFloat(roundToFloat)
   , m_Grid(oracle.GetSurfaceBounds().minimum, oracle.GetSurfaceBounds().maximum, CubeSize * localDelta.GetMaximum())
-{
-  this->Reopen();
-}
+{}
 
 std::vector<std::uint32_t>
 DelaunayRefinementSurfaceSample::MakeRandomOrder(std::size_t length)
@@ -70,10 +71,17 @@ DelaunayRefinementSurfaceSample::MakeRandomOrder(std::size_t length)
   return order;
 }
 
-double
-DelaunayRefinementSurfaceSample::GetLeastDelta(const PatchType & patch) const
+bool
+DelaunayRefinementSurfaceSample::IsUniform(const PatchType & patch) const
 {
-  if (m_LocalDelta.IsUniform())
+  return m_LocalDelta.IsUniform() ||
+         m_LocalDelta.GetMinimumWithin(patch.center, patch.radius) == m_LocalDelta.GetMaximum();
+}
+
+double
+DelaunayRefinementSurfaceSample::GetLeastDelta(const PatchType & patch, bool isUniform) const
+{
+  if (isUniform)
   {
     return m_LocalDelta.GetMaximum();
   }
@@ -83,56 +91,109 @@ DelaunayRefinementSurfaceSample::GetLeastDelta(const PatchType & patch) const
 }
 
 bool
-DelaunayRefinementSurfaceSample::Cover(OpenPatchType & open, bool isUniform, std::vector<PointType> & points)
+DelaunayRefinementSurfaceSample::CollectPatches(std::vector<DelaunayRefinementPatchCover::EntryType> & entries,
+                                                const std::function<bool()> &                          mayVisit) const
 {
-  const PatchType & patch = open.patch;
-  const double      reach = (isUniform ? m_LocalDelta.GetMaximum() : this->GetLeastDelta(patch)) - patch.radius;
-  if (reach > 0.0)
+  std::vector<PatchType> stack;
+  for (const PatchType & patch : m_Oracle.GetSurfacePatches())
   {
-    const auto covers = [&](std::int32_t vertex) {
-      return vertex != DelaunayRefinementPointGrid::None &&
-             Geometry::SquaredDistance(patch.center, m_Grid.GetPoint(vertex)) <= reach * reach;
-    };
-    if (covers(open.vertex))
+    const bool isUniform = this->IsUniform(patch);
+    stack.assign(1, patch);
+    while (!stack.empty())
     {
-      return true;
-    }
-    const std::int32_t nearest = m_Grid.FindNearest(patch.center, reach, reach);
-    if (nearest != DelaunayRefinementPointGrid::None)
-    {
-      return true;
+      if (!mayVisit())
+      {
+        return false;
+      }
+      const PatchType top = stack.back();
+      stack.pop_back();
+      const double delta = this->GetLeastDelta(top, isUniform);
+      if (top.radius > SampledPatch * delta)
+      {
+        m_Oracle.SplitSurfacePatch(top, stack);
+      }
+      else
+      {
+        entries.push_back({ top, delta - top.radius });
+      }
     }
   }
+  return true;
+}
+
+DelaunayRefinementSurfaceSample::OutcomeEnum
+DelaunayRefinementSurfaceSample::Sample(const PatchType & patch, bool isUniform, DelaunayRefinementPatchCover & cover)
+{
   PointType point;
   if (!m_Oracle.FindPointOfPatch(patch, point))
   {
-    return true;
+    return OutcomeEnum::DONE;
   }
   const double own = isUniform ? m_LocalDelta.GetMaximum() : m_LocalDelta.GetAt(point);
   const double apart = Separation * own;
-  open.vertex = m_Grid.FindNearest(point, apart, 0.5 * apart);
-  if (open.vertex == DelaunayRefinementPointGrid::None)
+  if (m_Grid.FindNearest(point, apart, apart) != DelaunayRefinementPointGrid::None)
   {
-    if (m_RoundToFloat)
-    {
-      std::transform(point.begin(), point.end(), point.begin(), Geometry::RoundToFloat);
-    }
-    open.vertex = m_Grid.Add(point);
-    points.push_back(point);
-    return Geometry::Distance(point, patch.center) <= reach;
+    return patch.radius < SmallestPatch * own ? OutcomeEnum::DONE : OutcomeEnum::NOTHING;
   }
-  return patch.radius < SmallestPatch * own;
+  if (m_RoundToFloat)
+  {
+    std::transform(point.begin(), point.end(), point.begin(), Geometry::RoundToFloat);
+  }
+  m_Grid.Add(point);
+  m_NewPoints.push_back(point);
+  cover.CoverFrom(point);
+  return OutcomeEnum::INSERTED;
 }
 
-void
-DelaunayRefinementSurfaceSample::Split(const OpenPatchType & open, std::vector<OpenPatchType> & parts)
+bool
+DelaunayRefinementSurfaceSample::CoverByParts(const PatchType &              patch,
+                                              DelaunayRefinementPatchCover & cover,
+                                              const std::function<bool()> &  mayVisit)
 {
-  m_Parts.clear();
-  m_Oracle.SplitSurfacePatch(open.patch, m_Parts);
-  for (const PatchType & part : m_Parts)
+  const bool isUniform = this->IsUniform(patch);
+  m_Nearby.clear();
+  m_Grid.FindWithin(patch.center, m_LocalDelta.GetMaximum() + patch.radius, m_Nearby);
+  m_Stack.assign(1, patch);
+  while (!m_Stack.empty())
   {
-    parts.push_back({ part, open.vertex });
+    if (!mayVisit())
+    {
+      return false;
+    }
+    const PatchType part = m_Stack.back();
+    m_Stack.pop_back();
+    const double delta = this->GetLeastDelta(part, isUniform);
+    double       squaredNearest = std::numeric_limits<double>::infinity();
+    for (const PointType & vertex : m_Nearby)
+    {
+      squaredNearest = std::min(squaredNearest, Geometry::SquaredDistance(part.center, vertex));
+    }
+    const auto isWithin = [&](double reach) { return reach > 0.0 && squaredNearest <= reach * reach; };
+    if (isWithin(delta - part.radius))
+    {
+      continue;
+    }
+    // Points of a part whose center is well covered are likely to be too near.
+    if (!isWithin(delta - HopefulShare * part.radius) || part.radius < SmallestPatch * delta)
+    {
+      const OutcomeEnum outcome = this->Sample(part, isUniform, cover);
+      if (outcome == OutcomeEnum::DONE)
+      {
+        continue;
+      }
+      if (outcome == OutcomeEnum::INSERTED)
+      {
+        m_Nearby.push_back(m_NewPoints.back());
+        squaredNearest = Geometry::SquaredDistance(part.center, m_NewPoints.back());
+        if (isWithin(delta - part.radius))
+        {
+          continue;
+        }
+      }
+    }
+    m_Oracle.SplitSurfacePatch(part, m_Stack);
   }
+  return true;
 }
 
 void
@@ -144,64 +205,42 @@ DelaunayRefinementSurfaceSample::Add(const PointType & point)
 bool
 DelaunayRefinementSurfaceSample::Certify(std::vector<PointType> & points, const std::function<bool()> & keepGoing)
 {
-  std::size_t numberOfVisits = 0;
-  const auto  mayVisit = [&] { return ++numberOfVisits % VisitsBetweenQuestions != 0 || keepGoing(); };
-
-  // Large patches in a random order, which keeps the sample sparse.
-  const double largest = LargePatch * m_LocalDelta.GetMaximum();
-  while (!m_Open.empty() && m_Open.front().patch.radius > largest)
+  std::size_t                 numberOfVisits = 0;
+  const std::function<bool()> mayVisit = [&] { return ++numberOfVisits % VisitsBetweenQuestions != 0 || keepGoing(); };
+  std::vector<DelaunayRefinementPatchCover::EntryType> entries;
+  if (!this->CollectPatches(entries, mayVisit))
   {
-    std::vector<char> isCovered(m_Open.size());
-    for (const std::uint32_t i : MakeRandomOrder(m_Open.size()))
-    {
-      if (!mayVisit())
-      {
-        return false;
-      }
-      isCovered[i] = this->Cover(m_Open[i], m_LocalDelta.IsUniform(), points) ? 1 : 0;
-    }
-    std::vector<OpenPatchType> parts;
-    for (std::size_t i = 0; i < m_Open.size(); ++i)
-    {
-      if (!isCovered[i])
-      {
-        this->Split(m_Open[i], parts);
-      }
-    }
-    m_Open.swap(parts);
+    return false;
   }
-  // What they left open in the oracle's order, which keeps neighbors together.
-  std::vector<OpenPatchType> stack;
-  for (const OpenPatchType & open : m_Open)
+  DelaunayRefinementPatchCover cover(std::move(entries));
+  for (std::size_t i = 0; i < m_Grid.GetNumberOfPoints(); ++i)
   {
-    const bool isUniform =
-      m_LocalDelta.GetMinimumWithin(open.patch.center, open.patch.radius) == m_LocalDelta.GetMaximum();
-    stack.assign(1, open);
-    while (!stack.empty())
+    cover.CoverFrom(m_Grid.GetPoint(static_cast<std::int32_t>(i)));
+  }
+  for (const std::uint32_t i : MakeRandomOrder(cover.GetNumberOfPatches()))
+  {
+    if (!mayVisit())
     {
-      if (!mayVisit())
+      return false;
+    }
+    if (!cover.IsCovered(i))
+    {
+      const PatchType & patch = cover.GetPatch(i);
+      if (this->Sample(patch, this->IsUniform(patch), cover) == OutcomeEnum::DONE)
       {
-        return false;
-      }
-      OpenPatchType top = stack.back();
-      stack.pop_back();
-      if (!this->Cover(top, isUniform, points))
-      {
-        this->Split(top, stack);
+        cover.SetCovered(i);
       }
     }
   }
-  m_Open.clear();
+  for (std::size_t i = 0; i < cover.GetNumberOfPatches(); ++i)
+  {
+    if (!cover.IsCovered(i) && !this->CoverByParts(cover.GetPatch(i), cover, mayVisit))
+    {
+      return false;
+    }
+  }
+  points.insert(points.end(), m_NewPoints.begin(), m_NewPoints.end());
+  m_NewPoints.clear();
   return true;
-}
-
-void
-DelaunayRefinementSurfaceSample::Reopen()
-{
-  m_Open.clear();
-  for (const PatchType & patch : m_Oracle.GetSurfacePatches())
-  {
-    m_Open.push_back({ patch, DelaunayRefinementPointGrid::None });
-  }
 }
 } // end namespace itk

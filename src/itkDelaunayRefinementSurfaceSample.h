@@ -19,6 +19,7 @@
 #define itkDelaunayRefinementSurfaceSample_h
 
 #include "itkDelaunayRefinementLocalDelta.h"
+#include "itkDelaunayRefinementPatchCover.h"
 #include "itkDelaunayRefinementPointGrid.h"
 
 namespace itk
@@ -48,36 +49,41 @@ public:
   void
   Add(const PointType & point);
 
-  /** Appends the points that R1 inserts, until no part of the surface is open; always the same in the same order.
-   * False if \c keepGoing, asked now and then, said so. */
+  /** Appends the points that R1 inserts, until all of the surface is covered; always the same in the same order. Again
+   * after delta was lowered somewhere. False if \c keepGoing, asked now and then, said so. */
   bool
   Certify(std::vector<PointType> & points, const std::function<bool()> & keepGoing);
-
-  /** Opens the whole surface again, after delta was lowered somewhere. */
-  void
-  Reopen();
 
 private:
   using PatchType = DelaunayRefinementOracle::SurfacePatch;
 
-  /** A patch that is not known to be covered, and a vertex near it: likely to cover its parts. */
-  struct OpenPatchType
+  /** Splits the whole surface into patches that are small against delta. */
+  bool
+  CollectPatches(std::vector<DelaunayRefinementPatchCover::EntryType> & entries,
+                 const std::function<bool()> &                          mayVisit) const;
+
+  /** Whether no component with a lower delta reaches into a patch. */
+  bool
+  IsUniform(const PatchType & patch) const;
+
+  /** The least delta that holds in a patch. \c isUniform: of it or of one that it is a part of. */
+  double
+  GetLeastDelta(const PatchType & patch, bool isUniform) const;
+
+  enum class OutcomeEnum : uint8_t
   {
-    PatchType    patch;
-    std::int32_t vertex;
+    NOTHING,
+    INSERTED,
+    DONE // the patch holds no surface, or is negligible
   };
 
-  /** The least delta that holds in a patch. */
-  double
-  GetLeastDelta(const PatchType & patch) const;
+  /** Inserts a point of a patch, last in m_NewPoints, unless a vertex is too near. */
+  OutcomeEnum
+  Sample(const PatchType & patch, bool isUniform, DelaunayRefinementPatchCover & cover);
 
-  /** Whether a patch is covered now; it gets a vertex if a point of it is far enough from all. \c isUniform: delta is
-   * the same in all of it. Keeps the vertex that is nearest in \c open. */
+  /** Covers all of one patch, by splitting it. */
   bool
-  Cover(OpenPatchType & open, bool isUniform, std::vector<PointType> & points);
-
-  void
-  Split(const OpenPatchType & open, std::vector<OpenPatchType> & parts);
+  CoverByParts(const PatchType & patch, DelaunayRefinementPatchCover & cover, const std::function<bool()> & mayVisit);
 
   static std::vector<std::uint32_t>
   MakeRandomOrder(std::size_t length);
@@ -86,8 +92,9 @@ private:
   const DelaunayRefinementLocalDelta & m_LocalDelta;
   bool                                 m_RoundToFloat;
   DelaunayRefinementPointGrid          m_Grid;
-  std::vector<OpenPatchType>           m_Open{};
-  std::vector<PatchType>               m_Parts{};
+  std::vector<PointType>               m_NewPoints{};
+  std::vector<PointType>               m_Nearby{};
+  std::vector<PatchType>               m_Stack{};
 };
 } // end namespace itk
 

@@ -133,11 +133,12 @@ TEST_F(CommandUsage, ShowsHelpAndVersion)
   const CommandRun help = RunCommand({ "--help" });
   ExpectSuccess(help);
   EXPECT_EQ(help.messages, "");
-  for (const char * option : { "--iso-value",    "--threshold",    "--labels",        "--merge-labels",
-                               "--delta",        "--cell-size",    "--min-dihedral",  "--radius-edge-bound",
-                               "--max-vertices", "--interpolator", "--min-component", "--largest-component",
-                               "--surface",      "--report",       "--threads",       "--quiet",
-                               "--version",      "--help",         "IMAGE",           "OUTPUT" })
+  for (const char * option : { "--iso-value",     "--threshold",    "--labels",        "--merge-labels",
+                               "--delta",         "--cell-size",    "--min-dihedral",  "--radius-edge-bound",
+                               "--max-vertices",  "--interpolator", "--min-component", "--largest-component",
+                               "--surface",       "--report",       "--threads",       "--quiet",
+                               "--version",       "--help",         "IMAGE",           "OUTPUT",
+                               "--refine-outside" })
   {
     EXPECT_NE(help.output.find(option), std::string::npos) << option;
   }

@@ -64,6 +64,7 @@ TEST(DelaunayRefinementMeshFilter, Defaults)
   EXPECT_EQ(filter->GetRadiusEdgeRatioBound(), 2.0);
   EXPECT_EQ(filter->GetCellSize(), std::numeric_limits<double>::infinity());
   EXPECT_EQ(filter->GetMinimumDihedralAngle(), 0.0);
+  EXPECT_FALSE(filter->GetRefineOutside());
   EXPECT_EQ(filter->GetMaximumNumberOfVertices(), itk::NumericTraits<itk::SizeValueType>::max());
   EXPECT_TRUE(filter->GetLabels().empty());
   EXPECT_EQ(filter->GetLowerThreshold(), -std::numeric_limits<double>::infinity());
@@ -90,6 +91,7 @@ TEST(DelaunayRefinementMeshFilter, PrintsEveryParameter)
                                    "RadiusEdgeRatioBound: 2",
                                    "CellSize: inf",
                                    "MinimumDihedralAngle: 0",
+                                   "RefineOutside: Off",
                                    "MaximumNumberOfVertices: ",
                                    "IsoValue: ",
                                    "LowerThreshold: -inf",
@@ -127,6 +129,7 @@ TEST(DelaunayRefinementMeshFilter, SettersModifyOnlyWhenTheyChange)
   expectModified([&] { filter->SetUpperThreshold(4.0); });
   expectModified([&] { filter->SetLabels({ 1, 2 }); });
   expectModified([&] { filter->SetCellSize(4.0); });
+  expectModified([&] { filter->RefineOutsideOn(); });
   expectModified([&] { filter->SetMergeLabels(true); });
 }
 

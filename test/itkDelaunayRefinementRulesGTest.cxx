@@ -28,7 +28,8 @@ namespace
 const PointType   origin{ 0.0, 0.0, 0.0 };
 const TorusOracle torus(origin, 10.0, 4.0);
 
-/** Runs on shapes of several kinds at several deltas: which rules a single run needs is its own affair. */
+/** Runs on shapes of several kinds at several deltas: which rules a single run needs is its own affair. With R2 outside
+ * too. */
 const std::vector<EngineRun> &
 GetRuns()
 {
@@ -36,7 +37,8 @@ GetRuns()
     std::vector<EngineRun> made;
     for (const double delta : { 4.0, 2.0, 1.0 })
     {
-      const auto parameters = MakeParameters(delta);
+      auto parameters = MakeParameters(delta);
+      parameters.refineOutside = true;
       made.push_back(RunEngine(BallOracle(origin, 10.0), parameters));
       made.push_back(RunEngine(torus, parameters));
       made.push_back(RunEngine(TwoBallsOracle(origin, 6.0, 4.0, 1.0), parameters));
@@ -81,6 +83,20 @@ TEST(DelaunayRefinementRules, R2FillsSpaceAroundTheSurface)
   EXPECT_GT(GetNumberOfVertices(run, VertexKind::FREE), 0u);
   // All tetrahedra of a torus this thin are intersecting.
   EXPECT_LT(ComputeMaximumCircumradius(MakeCheckedMesh(run.result)), 2.0 * 2.0);
+}
+
+TEST(DelaunayRefinementRules, R2OutsideAddsNothingToTheMesh)
+{
+  // The guarantees with R2 inside alone are measured in the other tests.
+  auto            parameters = MakeParameters(2.0);
+  const EngineRun inside = RunEngine(torus, parameters);
+  parameters.refineOutside = true;
+  const EngineRun everywhere = RunEngine(torus, parameters);
+  EXPECT_GT(everywhere.GetInsertions(RefinementRule::R2), inside.GetInsertions(RefinementRule::R2));
+  EXPECT_LE(ComputeCoverage(torus, everywhere.result, 0.1), parameters.delta);
+  EXPECT_LE(ComputeCoverage(torus, inside.result, 0.1), parameters.delta);
+  EXPECT_EQ(everywhere.result.boundaryTriangles.size(), inside.result.boundaryTriangles.size());
+  ExpectGuarantees(MakeCheckedMesh(everywhere.result));
 }
 
 TEST(DelaunayRefinementRules, R3InsertsSurfaceCenters)
@@ -149,9 +165,9 @@ TEST(DelaunayRefinementRules, CellSizeSplitsLargeTetrahedra)
 
 TEST(DelaunayRefinementRules, ShapeReplacesVerticesOfFlatTetrahedra)
 {
-  // The surface points of a symmetric octree lie on common spheres.
+  // Four points of two concentric spheres are at times nearly coplanar.
   std::size_t insertions = 0;
-  for (const double delta : { 2.0, 1.0, 0.7 })
+  for (const double delta : { 1.0, 0.9, 0.7 })
   {
     const EngineRun run = RunEngine(HollowBallOracle(origin, 5.0, 10.0), MakeParameters(delta));
     insertions += run.GetInsertions(RefinementRule::SHAPE);

@@ -86,6 +86,8 @@ AddSizeOptions(CLI::App & app, Options & options)
            ParseDihedralAngle,
            "split tetrahedra with smaller dihedral angles where possible; default: off")
     ->group(group);
+  app.add_flag("--refine-outside", options.refineOutside, "rule R2 outside the object too, as in the paper")
+    ->group(group);
   AddValue(app,
            "--max-vertices",
            "N",

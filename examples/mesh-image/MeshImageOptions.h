@@ -49,6 +49,7 @@ struct Options
   std::optional<double>        cellSize;
   std::optional<double>        radiusEdgeBound;
   std::optional<double>        minimumDihedralAngle;
+  bool                         refineOutside{ false };
   std::optional<std::uint64_t> maximumNumberOfVertices;
 
   bool                         largestComponent{ false };

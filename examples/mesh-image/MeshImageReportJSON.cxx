@@ -49,6 +49,7 @@ Parameters(const Options & options)
            { "cell_size", OrNull(options.cellSize) },
            { "radius_edge_bound", OrNull(options.radiusEdgeBound) },
            { "min_dihedral", OrNull(options.minimumDihedralAngle) },
+           { "refine_outside", options.refineOutside },
            { "max_vertices", OrNull(options.maximumNumberOfVertices) },
            { "largest_component", options.largestComponent },
            { "min_component", OrNull(options.minimumComponentSize) },

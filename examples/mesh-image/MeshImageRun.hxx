@@ -126,6 +126,7 @@ SetSizes(TFilter & filter, const Options & options)
   {
     filter.SetMinimumDihedralAngle(*options.minimumDihedralAngle);
   }
+  filter.SetRefineOutside(options.refineOutside);
   if (options.maximumNumberOfVertices)
   {
     filter.SetMaximumNumberOfVertices(*options.maximumNumberOfVertices);

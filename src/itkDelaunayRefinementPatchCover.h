@@ -1,0 +1,105 @@
+/*=========================================================================
+ *
+ *  Copyright The DelaunayRefinement Contributors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkDelaunayRefinementPatchCover_h
+#define itkDelaunayRefinementPatchCover_h
+
+#include "itkDelaunayRefinementGeometry.h"
+#include "itkDelaunayRefinementOracle.h"
+
+namespace itk
+{
+/** \class DelaunayRefinementPatchCover
+ * \brief Patches of the surface in a grid of cubes, each marked once it is covered: within its reach of a vertex.
+ *
+ * \ingroup DelaunayRefinement
+ */
+class DelaunayRefinementPatchCover
+{
+public:
+  using PointType = DelaunayRefinementPoint;
+  using PatchType = DelaunayRefinementOracle::SurfacePatch;
+
+  /** A patch is covered by a vertex within \c reach of its center; not by one alone if that is negative. */
+  struct EntryType
+  {
+    PatchType patch;
+    double    reach;
+  };
+
+  /** Sorts the entries by cubes. */
+  explicit DelaunayRefinementPatchCover(std::vector<EntryType> entries);
+
+  std::size_t
+  GetNumberOfPatches() const
+  {
+    return m_Patches.size();
+  }
+
+  const PatchType &
+  GetPatch(std::size_t number) const
+  {
+    return m_Patches[number];
+  }
+
+  bool
+  IsCovered(std::size_t number) const
+  {
+    return m_IsCovered[number] != 0;
+  }
+
+  void
+  SetCovered(std::size_t number)
+  {
+    m_IsCovered[number] = 1;
+  }
+
+  /** Marks all patches that a vertex covers. */
+  void
+  CoverFrom(const PointType & vertex);
+
+private:
+  using CubeType = std::array<std::int32_t, 3>;
+
+  struct BallType
+  {
+    PointType center;
+    double    squaredReach;
+  };
+
+  /** Points beyond the grid belong to the cubes at its border. */
+  CubeType
+  FindCube(const PointType & point, double offset) const;
+
+  std::size_t
+  ToOffset(const CubeType & cube) const
+  {
+    return (static_cast<std::size_t>(cube[2]) * m_Size[1] + cube[1]) * m_Size[0] + cube[0];
+  }
+
+  double                     m_GreatestReach{ 0.0 };
+  double                     m_CubesPerLength{ 1.0 };
+  PointType                  m_Minimum{};
+  CubeType                   m_Size{};
+  std::vector<std::uint32_t> m_Starts{}; // of each cube's patches, and the end
+  std::vector<BallType>      m_Balls{};
+  std::vector<PatchType>     m_Patches{};
+  std::vector<char>          m_IsCovered{};
+};
+} // end namespace itk
+
+#endif
