@@ -49,15 +49,15 @@ forbid_includes(
   ${SOURCE_DIR}/include/itkDelaunayRefinementTypes.h
 )
 forbid_includes(
-  "CGAL is known to the triangulation and to exact geometry alone"
+  "CGAL is known to the exact predicates and to exact geometry alone"
   "(CGAL|boost|gmp|mpfr)"
-  "itkDelaunayRefinement(Triangulation|ExactGeometry)"
+  "itkDelaunayRefinement(Predicates|ExactGeometry)"
   ${SOURCE_DIR}/src/*.h
   ${SOURCE_DIR}/src/*.cxx
 )
 forbid_includes(
   "Tests of the filter and of the command, and examples, see public headers"
-  "(CGAL|boost|itkDelaunayRefinement(Triangulation|Rules|Encroachment|Queue))"
+  "(CGAL|boost|itkDelaunayRefinement(Triangulation|Predicates|Rules|Encroachment|Queue))"
   ""
   ${SOURCE_DIR}/test/*MeshFilter*.cxx
   ${SOURCE_DIR}/test/*Command*.cxx

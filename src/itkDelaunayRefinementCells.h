@@ -382,8 +382,8 @@ private:
   const TFunction & m_IsInside;
 };
 
-/** A point of the surface in a cube of a cell: on the way from \c start, a point of the cube, to the first point of a
- * grid on the cube that is on the other side. False if there is none. */
+/** A point of the surface in a cube of a cell: on the way from \c start, a point of the cube, to the first point on the
+ * other side, of those across on its faces and then of a grid. False if there is none. */
 template <typename TCell>
 bool
 FindSurfacePointInCube(const TCell &                   cell,
@@ -392,7 +392,34 @@ FindSurfacePointInCube(const TCell &                   cell,
                        const DelaunayRefinementPoint & start,
                        DelaunayRefinementPoint &       found)
 {
-  const bool         isInside = cell.IsInside(start);
+  const bool isInside = cell.IsInside(start);
+  const auto find = [&](const DelaunayRefinementPoint & end) {
+    if (cell.IsInside(end) == isInside)
+    {
+      return false;
+    }
+    // Rounding may hide a change that is at the very end.
+    double share;
+    if (!cell.FindFirstChange(start, end, isInside, share))
+    {
+      share = 1.0;
+    }
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      found[i] = start[i] + share * (end[i] - start[i]);
+    }
+    return true;
+  };
+  // Surface that lies in a face is met at its corners alone otherwise, where points tend to be on common spheres.
+  for (unsigned int face = 0; face < 6; ++face)
+  {
+    DelaunayRefinementPoint end = start;
+    end[face / 2] = corner[face / 2] + (face % 2) * size;
+    if (find(end))
+    {
+      return true;
+    }
+  }
   const unsigned int samples = TCell::SamplesPerSide(size);
   const double       step = size / samples;
   for (unsigned int z = 0; z <= samples; ++z)
@@ -401,19 +428,8 @@ FindSurfacePointInCube(const TCell &                   cell,
     {
       for (unsigned int x = 0; x <= samples; ++x)
       {
-        const DelaunayRefinementPoint end{ corner[0] + x * step, corner[1] + y * step, corner[2] + z * step };
-        if (cell.IsInside(end) != isInside)
+        if (find({ corner[0] + x * step, corner[1] + y * step, corner[2] + z * step }))
         {
-          // Rounding may hide a change that is at the very end.
-          double share;
-          if (!cell.FindFirstChange(start, end, isInside, share))
-          {
-            share = 1.0;
-          }
-          for (unsigned int i = 0; i < 3; ++i)
-          {
-            found[i] = start[i] + share * (end[i] - start[i]);
-          }
           return true;
         }
       }

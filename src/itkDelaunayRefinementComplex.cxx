@@ -55,7 +55,7 @@ DelaunayRefinementComplex::Start(const std::vector<PointType> & features,
   {
     return false;
   }
-  this->UpdateStates(m_Triangulation.GetNewCells());
+  this->UpdateRegions(m_Triangulation.GetNewCells());
   return keepGoing();
 }
 
@@ -66,7 +66,7 @@ DelaunayRefinementComplex::Insert(const PointType & point, VertexKind kind, doub
   if (vertex != None)
   {
     this->AddVertex(kind, delta);
-    this->UpdateStates(m_Triangulation.GetNewCells());
+    this->UpdateRegions(m_Triangulation.GetNewCells());
   }
   return vertex;
 }
@@ -76,7 +76,7 @@ DelaunayRefinementComplex::Remove(IndexType vertex)
 {
   m_Triangulation.Remove(vertex);
   --m_NumbersOfVertices[static_cast<std::size_t>(m_Kinds[vertex])];
-  this->UpdateStates(m_Triangulation.GetNewCells());
+  this->UpdateRegions(m_Triangulation.GetNewCells());
 }
 
 void
@@ -140,22 +140,12 @@ DelaunayRefinementComplex::AddVertex(VertexKind kind, double delta)
 }
 
 void
-DelaunayRefinementComplex::UpdateStates(const std::vector<IndexType> & cells)
+DelaunayRefinementComplex::UpdateRegions(const std::vector<IndexType> & cells)
 {
-  m_States.resize(m_Triangulation.GetNumberOfCellIndexes());
+  m_Regions.resize(m_Triangulation.GetNumberOfCellIndexes());
   for (const IndexType cell : cells)
   {
-    if (!m_Triangulation.IsInfinite(cell))
-    {
-      const auto      points = this->GetPoints(cell);
-      CellStateType & state = m_States[cell];
-      state.ball = DelaunayRefinementGeometry::ComputeCircumsphere(points[0], points[1], points[2], points[3]);
-      state.region = m_Oracle.Classify(state.ball.center);
-    }
-    else
-    {
-      m_States[cell] = {};
-    }
+    m_Regions[cell] = m_Triangulation.IsInfinite(cell) ? 0 : m_Oracle.Classify(this->GetCircumcenter(cell));
   }
 }
 } // end namespace itk

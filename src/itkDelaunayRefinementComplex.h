@@ -27,8 +27,8 @@ namespace itk
 /** \class DelaunayRefinementComplex
  * \brief The triangulation in its bounding box, with what the rules need to know of vertices and cells.
  *
- * Every vertex has a kind and the delta that held where it was put; every finite cell has its circumball and the region
- * of its circumcenter. All are kept in step with insertion and removal.
+ * Every vertex has a kind and the delta that held where it was put; every finite cell has the region of its
+ * circumcenter. All are kept in step with insertion and removal.
  *
  * \ingroup DelaunayRefinement
  */
@@ -42,13 +42,6 @@ public:
   using RegionType = DelaunayRefinementOracle::RegionType;
 
   static constexpr IndexType None = DelaunayRefinementTriangulation::None;
-
-  /** The circumball of a finite cell, and the region of its center. */
-  struct CellStateType
-  {
-    DelaunayRefinementGeometry::SphereType ball;
-    RegionType                             region;
-  };
 
   /** Callers round every point before they insert it. */
   DelaunayRefinementComplex(const DelaunayRefinementOracle & oracle, bool roundToFloat, const BoundsType & box);
@@ -103,11 +96,30 @@ public:
     return m_Box;
   }
 
-  /** Infinite cells have a radius of 0, outside. */
-  const CellStateType &
-  GetState(IndexType cell) const
+  DelaunayRefinementGeometry::SphereType
+  GetBall(IndexType cell) const
   {
-    return m_States[cell];
+    return m_Triangulation.GetBall(cell);
+  }
+
+  const PointType &
+  GetCircumcenter(IndexType cell) const
+  {
+    return m_Triangulation.GetCell(cell).center;
+  }
+
+  /** 0 for infinite cells. */
+  double
+  GetSquaredRadius(IndexType cell) const
+  {
+    return m_Triangulation.GetSquaredRadius(cell);
+  }
+
+  /** Where the circumcenter is; infinite cells are outside. */
+  RegionType
+  GetRegion(IndexType cell) const
+  {
+    return m_Regions[cell];
   }
 
   VertexKind
@@ -160,13 +172,13 @@ private:
   AddVertex(VertexKind kind, double delta);
 
   void
-  UpdateStates(const std::vector<IndexType> & cells);
+  UpdateRegions(const std::vector<IndexType> & cells);
 
   const DelaunayRefinementOracle & m_Oracle;
   bool                             m_RoundToFloat;
   BoundsType                       m_Box;
   DelaunayRefinementTriangulation  m_Triangulation{};
-  std::vector<CellStateType>       m_States{};
+  std::vector<RegionType>          m_Regions{};
   std::vector<VertexKind>          m_Kinds{};
   std::vector<double>              m_Deltas{};
   std::array<std::size_t, 4>       m_NumbersOfVertices{};

@@ -51,6 +51,7 @@ constexpr unsigned int MaximumNumberOfLowerings = 4;
 /** Tetrahedra with a smaller volume over their longest edge cubed get another vertex, moved by this share of delta. */
 constexpr double       FlattestShape = 1e-10;
 constexpr double       ShapeMove = 1e-3;
+constexpr unsigned int MostShapeCrossings = 32;
 constexpr unsigned int MaximumNumberOfShapeRounds = 20;
 } // namespace
 
@@ -306,7 +307,7 @@ DelaunayRefinementEngine::Impl::Examine(const std::vector<IndexType> & cells)
     if (m_Rules->MayFireR2(cell))
     {
       // Encroachment goes first: it removes free vertices.
-      const bool isInBox = m_Encroachment->IsStrictlyInside(m_Complex->GetState(cell).ball.center);
+      const bool isInBox = m_Encroachment->IsStrictlyInside(m_Complex->GetCircumcenter(cell));
       (isInBox ? m_R2Queue : m_EncroachmentQueue).Push(triangulation, cell);
     }
     if (m_Rules->FiresR4(cell) || m_Rules->FiresCellSize(cell) || m_Rules->FiresR4Prime(cell))
@@ -388,7 +389,7 @@ DelaunayRefinementEngine::Impl::ApplyR2()
   }
   if (m_Rules->FiresR2(entry.cell))
   {
-    const PointType center = m_Complex->Round(m_Complex->GetState(entry.cell).ball.center);
+    const PointType center = m_Complex->Round(m_Complex->GetCircumcenter(entry.cell));
     const auto      proposal = m_Encroachment->FindEncroachment(center);
     if (proposal.which == EncroachmentCase::NONE)
     {
@@ -428,7 +429,7 @@ DelaunayRefinementEngine::Impl::ApplyR4()
 void
 DelaunayRefinementEngine::Impl::InsertCircumcenter(RefinementRule rule, IndexType cell)
 {
-  this->Insert(rule, m_Complex->Round(m_Complex->GetState(cell).ball.center), VertexKind::FREE, 0.0, cell);
+  this->Insert(rule, m_Complex->Round(m_Complex->GetCircumcenter(cell)), VertexKind::FREE, 0.0, cell);
 }
 
 void
@@ -517,7 +518,7 @@ DelaunayRefinementEngine::Impl::MendFlatTetrahedra()
   std::vector<IndexType> vertices;
   for (IndexType cell = 0; cell < triangulation.GetNumberOfCellIndexes(); ++cell)
   {
-    if (!triangulation.IsAlive(cell) || triangulation.IsInfinite(cell) || m_Complex->GetState(cell).region == 0)
+    if (!triangulation.IsAlive(cell) || triangulation.IsInfinite(cell) || m_Complex->GetRegion(cell) == 0)
     {
       continue;
     }
@@ -557,19 +558,29 @@ DelaunayRefinementEngine::Impl::MoveVertex(IndexType vertex)
   const VertexKind kind = m_Complex->GetKind(vertex);
   const double     delta = kind == VertexKind::FEATURE ? m_Complex->GetDelta(vertex) : m_LocalDelta.GetMinimum();
   const PointType  old = m_Complex->GetPoint(vertex);
-  PointType        moved = old;
-  for (double & coordinate : moved)
-  {
-    coordinate += ShapeMove * delta * (2.0 * static_cast<double>(m_Random() >> 11) * 0x1p-53 - 1.0);
-  }
+  const auto       moveAtRandom = [&](const PointType & from, double distance) {
+    PointType to = from;
+    for (double & coordinate : to)
+    {
+      coordinate += distance * (2.0 * static_cast<double>(m_Random() >> 11) * 0x1p-53 - 1.0);
+    }
+    return to;
+  };
+  PointType moved = moveAtRandom(old, ShapeMove * delta);
   if (kind == VertexKind::FEATURE)
   {
-    PointType closest;
-    if (!m_Oracle.FindClosestSurfacePoint(moved, delta, closest))
+    // Through the surface nearby: the closest point may be known too roughly to differ from the old one.
+    bool isOnSurface = false;
+    for (unsigned int i = 0; i < MostShapeCrossings && !isOnSurface; ++i)
+    {
+      const PointType from = moveAtRandom(old, ShapeMove * delta);
+      const PointType to = moveAtRandom(old, ShapeMove * delta);
+      isOnSurface = m_Oracle.FindFirstCrossing(from, to, moved);
+    }
+    if (!isOnSurface)
     {
       return;
     }
-    moved = closest;
   }
   m_Complex->Remove(vertex);
   this->Examine(m_Complex->GetNewCells());
@@ -606,9 +617,9 @@ DelaunayRefinementEngine::Impl::FindMissingComponents() const
   std::vector<bool> isMeshed(m_Oracle.GetNumberOfComponents(), false);
   for (IndexType cell = 0; cell < triangulation.GetNumberOfCellIndexes(); ++cell)
   {
-    if (triangulation.IsAlive(cell) && !triangulation.IsInfinite(cell) && m_Complex->GetState(cell).region != 0)
+    if (triangulation.IsAlive(cell) && !triangulation.IsInfinite(cell) && m_Complex->GetRegion(cell) != 0)
     {
-      isMeshed[isMeshed.size() == 1 ? 0 : m_Oracle.FindComponent(m_Complex->GetState(cell).ball.center)] = true;
+      isMeshed[isMeshed.size() == 1 ? 0 : m_Oracle.FindComponent(m_Complex->GetCircumcenter(cell))] = true;
     }
   }
   std::vector<std::uint32_t> missing;

@@ -33,7 +33,7 @@ ExtractDelaunayRefinementResult(const DelaunayRefinementComplex & complex)
   DelaunayRefinementResult result;
 
   const auto isInside = [&](IndexType cell) {
-    return triangulation.IsAlive(cell) && !triangulation.IsInfinite(cell) && complex.GetState(cell).region != 0;
+    return triangulation.IsAlive(cell) && !triangulation.IsInfinite(cell) && complex.GetRegion(cell) != 0;
   };
   std::vector<IndexType> numbers(triangulation.GetNumberOfVertexIndexes(), DelaunayRefinementComplex::None);
   const auto             numberOf = [&](IndexType vertex) {
@@ -58,14 +58,14 @@ ExtractDelaunayRefinementResult(const DelaunayRefinementComplex & complex)
       tetrahedron[i] = numberOf(cell.vertices[i]);
     }
     result.tetrahedra.push_back(tetrahedron);
-    result.regions.push_back(complex.GetState(index).region);
+    result.regions.push_back(complex.GetRegion(index));
     for (unsigned int i = 0; i < 4; ++i)
     {
       if (!isInside(cell.neighbors[i]))
       {
         const auto & face = FaceVertices[i];
         result.boundaryTriangles.push_back({ tetrahedron[face[0]], tetrahedron[face[1]], tetrahedron[face[2]] });
-        result.boundaryRegions.push_back(complex.GetState(index).region);
+        result.boundaryRegions.push_back(complex.GetRegion(index));
       }
     }
   }

@@ -66,9 +66,8 @@ bool
 DelaunayRefinementRules::MayFireR2(IndexType cell) const
 {
   const double delta = m_LocalDelta.GetMaximum();
-  const auto & state = m_Complex.GetState(cell);
-  return (m_Parameters.refineOutside || state.region != 0) &&
-         state.ball.squaredRadius >= 4.0 * delta * delta * SquaredMargin;
+  return (m_Parameters.refineOutside || m_Complex.GetRegion(cell) != 0) &&
+         m_Complex.GetSquaredRadius(cell) >= 4.0 * delta * delta * SquaredMargin;
 }
 
 bool
@@ -85,7 +84,7 @@ DelaunayRefinementRules::FiresR2(IndexType cell) const
       return true;
     }
   }
-  const auto & ball = m_Complex.GetState(cell).ball;
+  const auto ball = m_Complex.GetBall(cell);
   return m_Oracle.IsSurfaceWithin(ball.center, std::sqrt(ball.squaredRadius));
 }
 
@@ -116,14 +115,13 @@ DelaunayRefinementRules::MayFireR3(IndexType cell, unsigned int i) const
 {
   const auto &    triangulation = m_Complex.GetTriangulation();
   const IndexType neighbor = triangulation.GetCell(cell).neighbors[i];
-  const auto &    one = m_Complex.GetState(cell);
-  const auto &    other = m_Complex.GetState(neighbor);
-  if (one.region == other.region || triangulation.IsInfinite(cell) || triangulation.IsInfinite(neighbor))
+  if (m_Complex.GetRegion(cell) == m_Complex.GetRegion(neighbor) || triangulation.IsInfinite(cell) ||
+      triangulation.IsInfinite(neighbor))
   {
     return false;
   }
   const double threshold = this->ComputeR3Threshold(cell, i);
-  return std::max(one.ball.squaredRadius, other.ball.squaredRadius) >= threshold * threshold;
+  return std::max(m_Complex.GetSquaredRadius(cell), m_Complex.GetSquaredRadius(neighbor)) >= threshold * threshold;
 }
 
 bool
@@ -131,8 +129,8 @@ DelaunayRefinementRules::FiresR3(IndexType cell, unsigned int i, PointType & cen
 {
   const auto &    triangulation = m_Complex.GetTriangulation();
   const IndexType neighbor = triangulation.GetCell(cell).neighbors[i];
-  const PointType from = m_Complex.GetState(cell).ball.center;
-  const PointType to = m_Complex.GetState(neighbor).ball.center;
+  const PointType from = m_Complex.GetCircumcenter(cell);
+  const PointType to = m_Complex.GetCircumcenter(neighbor);
   const PointType vertex = m_Complex.GetPoint(triangulation.GetCell(cell).vertices[(i + 1) & 3]);
   const double    threshold = this->ComputeR3Threshold(cell, i);
 
@@ -201,35 +199,33 @@ DelaunayRefinementRules::FindCrossing(const PointType & from, const PointType & 
 bool
 DelaunayRefinementRules::FiresR4(IndexType cell) const
 {
-  const auto & state = m_Complex.GetState(cell);
-  if (state.region == 0)
+  if (m_Complex.GetRegion(cell) == 0)
   {
     return false;
   }
   const auto   p = m_Complex.GetPoints(cell);
   const double squaredEdge = Geometry::ComputeSquaredShortestEdge(p[0], p[1], p[2], p[3]);
   const double rhoBar = m_Parameters.radiusEdgeRatioBound;
-  return state.ball.squaredRadius >= rhoBar * rhoBar * squaredEdge * SquaredMargin;
+  return m_Complex.GetSquaredRadius(cell) >= rhoBar * rhoBar * squaredEdge * SquaredMargin;
 }
 
 bool
 DelaunayRefinementRules::FiresCellSize(IndexType cell) const
 {
-  const auto & state = m_Complex.GetState(cell);
-  return state.region != 0 && state.ball.squaredRadius >= m_Parameters.cellSize * m_Parameters.cellSize * SquaredMargin;
+  return m_Complex.GetRegion(cell) != 0 &&
+         m_Complex.GetSquaredRadius(cell) >= m_Parameters.cellSize * m_Parameters.cellSize * SquaredMargin;
 }
 
 bool
 DelaunayRefinementRules::FiresR4Prime(IndexType cell) const
 {
-  const auto & state = m_Complex.GetState(cell);
-  if (!(m_Parameters.minimumDihedralAngle > 0.0) || state.region == 0)
+  if (!(m_Parameters.minimumDihedralAngle > 0.0) || m_Complex.GetRegion(cell) == 0)
   {
     return false;
   }
   const double delta = this->GetDeltaOfFeatures(m_Complex.GetTriangulation().GetCell(cell).vertices, 4);
   const double shortest = ShortestShare * delta;
-  if (state.ball.squaredRadius < shortest * shortest)
+  if (m_Complex.GetSquaredRadius(cell) < shortest * shortest)
   {
     return false;
   }

@@ -17,192 +17,59 @@
  *=========================================================================*/
 #include "itkDelaunayRefinementTriangulation.h"
 
-#include <CGAL/Delaunay_triangulation_3.h>
-#include <CGAL/Delaunay_triangulation_cell_base_3.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Spatial_sort_traits_adapter_3.h>
-#include <CGAL/Triangulation_cell_base_with_info_3.h>
-#include <CGAL/Triangulation_vertex_base_with_info_3.h>
-#include <CGAL/property_map.h>
-#include <CGAL/spatial_sort.h>
+#include "itkDelaunayRefinementPredicates.h"
+#include "itkDelaunayRefinementSpatialOrder.h"
 
 #include <algorithm>
-#include <numeric>
+#include <cassert>
 
 namespace itk
 {
 namespace
 {
-using GeometryKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using VertexBase =
-  CGAL::Triangulation_vertex_base_with_info_3<DelaunayRefinementTriangulation::IndexType, GeometryKernel>;
-using CellBase = CGAL::Triangulation_cell_base_with_info_3<DelaunayRefinementTriangulation::IndexType,
-                                                           GeometryKernel,
-                                                           CGAL::Delaunay_triangulation_cell_base_3<GeometryKernel>>;
-using DelaunayType =
-  CGAL::Delaunay_triangulation_3<GeometryKernel, CGAL::Triangulation_data_structure_3<VertexBase, CellBase>>;
-using CellHandle = DelaunayType::Cell_handle;
-using VertexHandle = DelaunayType::Vertex_handle;
+using Predicates = DelaunayRefinementPredicates;
+using PointType = DelaunayRefinementPoint;
+using IndexType = DelaunayRefinementTriangulation::IndexType;
 
 constexpr std::size_t InsertionsBetweenQuestions = 4096;
 
-GeometryKernel::Point_3
-ToKernel(const DelaunayRefinementPoint & point)
-{
-  return { point[0], point[1], point[2] };
-}
+/** The vertices of the facet opposite to each vertex, counterclockwise as seen from that vertex. */
+constexpr unsigned int FacetVertices[4][3] = { { 1, 3, 2 }, { 0, 2, 3 }, { 0, 3, 1 }, { 0, 1, 2 } };
 
+/** Of finite cells that are flatter, or further from the origin for their size, the circumball decides nothing. Its
+ * center is known to some 30 roundings times (longest edge)^3 / determinant of the radius, which leaves
+ * DecidingShare a margin of ten. */
+constexpr double FlattestDeciding = 1e-6;
+constexpr double SmallestDeciding = 1e-7;
+
+/** The side of a point that is exactly on a circumsphere, once all points are moved by amounts that fall off quickly in
+ * lexicographical order. */
 bool
-Precedes(const CellHandle & a, const CellHandle & b)
+IsInsidePerturbed(const std::array<const PointType *, 4> & tetrahedron, const PointType & point)
 {
-  for (int i = 0; i < 4; ++i)
+  std::array<const PointType *, 5> points{ tetrahedron[0], tetrahedron[1], tetrahedron[2], tetrahedron[3], &point };
+  std::sort(points.begin(), points.end(), [](const PointType * a, const PointType * b) { return *a < *b; });
+  // The two greatest always decide, as the tetrahedron is not flat.
+  for (unsigned int i = 4; i > 2; --i)
   {
-    if (a->vertex(i)->info() != b->vertex(i)->info())
+    if (points[i] == &point)
     {
-      return a->vertex(i)->info() < b->vertex(i)->info();
+      return false;
+    }
+    auto moved = tetrahedron;
+    *std::find(moved.begin(), moved.end(), points[i]) = &point;
+    const int side = Predicates::Orientation(*moved[0], *moved[1], *moved[2], *moved[3]);
+    if (side != 0)
+    {
+      return side > 0;
     }
   }
   return false;
 }
-
-/** Puts the smallest vertex first and keeps the orientation, so that no order depends on addresses. */
-void
-RotateSmallestVertexFirst(const CellHandle & cell)
-{
-  int smallest = 0;
-  for (int i = 1; i < 4; ++i)
-  {
-    if (cell->vertex(i)->info() < cell->vertex(smallest)->info())
-    {
-      smallest = i;
-    }
-  }
-  std::array<int, 4> order{ 0, 1, 2, 3 };
-  if (smallest > 0)
-  {
-    // Two swaps keep the orientation.
-    std::swap(order[0], order[smallest]);
-    const int a = smallest == 1 ? 2 : 1;
-    const int b = smallest == 3 ? 2 : 3;
-    std::swap(order[a], order[b]);
-  }
-  // A cyclic shift of the last three keeps it too.
-  const auto info = [&](int i) { return cell->vertex(order[i])->info(); };
-  while (info(1) > info(2) || info(1) > info(3))
-  {
-    std::rotate(order.begin() + 1, order.begin() + 2, order.end());
-  }
-  std::array<VertexHandle, 4> vertices;
-  std::array<CellHandle, 4>   neighbors;
-  for (int i = 0; i < 4; ++i)
-  {
-    vertices[i] = cell->vertex(order[i]);
-    neighbors[i] = cell->neighbor(order[i]);
-  }
-  cell->set_vertices(vertices[0], vertices[1], vertices[2], vertices[3]);
-  cell->set_neighbors(neighbors[0], neighbors[1], neighbors[2], neighbors[3]);
-}
 } // namespace
 
-/** CGAL's triangulation, and the handles of the cells and vertices by index. */
-class DelaunayRefinementTriangulation::Kernel
-{
-public:
-  explicit Kernel(DelaunayRefinementTriangulation & owner)
-    : m_Owner(owner)
-  {
-    m_Triangulation.infinite_vertex()->info() = InfiniteVertex;
-    m_Vertices.push_back(m_Triangulation.infinite_vertex());
-  }
-
-  DelaunayType &
-  GetTriangulation()
-  {
-    return m_Triangulation;
-  }
-
-  CellHandle
-  GetCell(IndexType cell) const
-  {
-    return m_Cells[cell];
-  }
-
-  VertexHandle
-  GetVertex(IndexType vertex) const
-  {
-    return m_Vertices[vertex];
-  }
-
-  void
-  AddVertex(VertexHandle vertex, const PointType & point)
-  {
-    vertex->info() = static_cast<IndexType>(m_Vertices.size());
-    m_Vertices.push_back(vertex);
-    m_Owner.m_Points.push_back(point);
-    m_Owner.m_CellOfVertex.push_back(None);
-  }
-
-  void
-  RemoveVertex(IndexType vertex)
-  {
-    m_Vertices[vertex] = VertexHandle();
-    m_Owner.m_CellOfVertex[vertex] = None;
-  }
-
-  /** Gives indexes to new cells and copies them, and what their neighbors say of them, to the owner's arrays. */
-  void
-  Register(const std::vector<CellHandle> & cells)
-  {
-    m_Owner.m_NewCells.clear();
-    for (const CellHandle & cell : cells)
-    {
-      cell->info() = TakeIndex();
-      m_Cells[cell->info()] = cell;
-      m_Owner.m_NewCells.push_back(cell->info());
-    }
-    for (const CellHandle & cell : cells)
-    {
-      CellType & copy = m_Owner.m_Cells[cell->info()];
-      for (int i = 0; i < 4; ++i)
-      {
-        const CellHandle neighbor = cell->neighbor(i);
-        copy.vertices[i] = cell->vertex(i)->info();
-        copy.neighbors[i] = neighbor->info();
-        m_Owner.m_Cells[neighbor->info()].neighbors[neighbor->index(cell)] = cell->info();
-        m_Owner.m_CellOfVertex[copy.vertices[i]] = cell->info();
-      }
-    }
-  }
-
-private:
-  IndexType
-  TakeIndex()
-  {
-    IndexType index;
-    if (m_Owner.m_FreeCells.empty())
-    {
-      index = static_cast<IndexType>(m_Owner.m_Cells.size());
-      m_Owner.m_Cells.emplace_back();
-      m_Owner.m_Generations.push_back(0);
-      m_Cells.emplace_back();
-    }
-    else
-    {
-      index = m_Owner.m_FreeCells.back();
-      m_Owner.m_FreeCells.pop_back();
-    }
-    ++m_Owner.m_Generations[index];
-    return index;
-  }
-
-  DelaunayRefinementTriangulation & m_Owner;
-  DelaunayType                      m_Triangulation{};
-  std::vector<CellHandle>           m_Cells{};
-  std::vector<VertexHandle>         m_Vertices{};
-};
-
 DelaunayRefinementTriangulation::DelaunayRefinementTriangulation()
-  : m_Kernel(std::make_unique<Kernel>(*this))
+  : m_Matrix(MostVerticesOfMatrix * MostVerticesOfMatrix)
 {
   m_Points.push_back({});
   m_CellOfVertex.push_back(None);
@@ -214,103 +81,510 @@ bool
 DelaunayRefinementTriangulation::InsertMany(const std::vector<PointType> & points,
                                             const std::function<bool()> &  keepGoing)
 {
-  std::vector<GeometryKernel::Point_3> kernelPoints;
-  kernelPoints.reserve(points.size());
-  for (const PointType & point : points)
+  m_Points.insert(m_Points.end(), points.begin(), points.end());
+  m_CellOfVertex.resize(m_Points.size(), None);
+  std::vector<IndexType> order = ComputeDelaunayRefinementSpatialOrder(points);
+  for (IndexType & vertex : order)
   {
-    kernelPoints.push_back(ToKernel(point));
+    ++vertex;
   }
-  std::vector<std::size_t> order(points.size());
-  std::iota(order.begin(), order.end(), 0);
-  using PointMap = CGAL::Pointer_property_map<GeometryKernel::Point_3>::type;
-  CGAL::spatial_sort(
-    order.begin(),
-    order.end(),
-    CGAL::Spatial_sort_traits_adapter_3<GeometryKernel, PointMap>(CGAL::make_property_map(kernelPoints)));
 
-  DelaunayType &            triangulation = m_Kernel->GetTriangulation();
-  std::vector<VertexHandle> handles(points.size());
-  VertexHandle              last;
-  std::size_t               number = 0;
-  for (const std::size_t i : order)
+  // The first that make a tetrahedron go to the front.
+  const auto find = [&](std::size_t place, const auto & isGood) {
+    const auto found = std::find_if(order.begin() + static_cast<std::ptrdiff_t>(place), order.end(), isGood);
+    assert(found != order.end());
+    std::rotate(order.begin() + static_cast<std::ptrdiff_t>(place), found, found + 1);
+  };
+  const auto point = [&](std::size_t place) -> const PointType & { return m_Points[order[place]]; };
+  find(2, [&](IndexType vertex) {
+    const PointType u = DelaunayRefinementGeometry::Subtract(point(1), point(0));
+    const PointType v = DelaunayRefinementGeometry::Subtract(m_Points[vertex], point(0));
+    const PointType normal = DelaunayRefinementGeometry::Cross(u, v);
+    return DelaunayRefinementGeometry::Dot(normal, normal) > 0.0;
+  });
+  find(3,
+       [&](IndexType vertex) { return Predicates::Orientation(point(0), point(1), point(2), m_Points[vertex]) != 0; });
+  this->MakeFirstCells({ order[0], order[1], order[2], order[3] });
+
+  IndexType last = order[3];
+  for (std::size_t i = 4; i < order.size(); ++i)
   {
-    if (++number % InsertionsBetweenQuestions == 0 && !keepGoing())
+    if (i % InsertionsBetweenQuestions == 0 && !keepGoing())
     {
       return false;
     }
-    last = last == VertexHandle() ? triangulation.insert(kernelPoints[i]) : triangulation.insert(kernelPoints[i], last);
-    handles[i] = last;
+    this->MakeStar(order[i], this->FindConflict(m_Points[order[i]], m_CellOfVertex[last]));
+    last = order[i];
   }
-  for (std::size_t i = 0; i < points.size(); ++i)
+  m_NewCells.clear();
+  for (IndexType cell = 0; cell < this->GetNumberOfCellIndexes(); ++cell)
   {
-    m_Kernel->AddVertex(handles[i], points[i]);
+    if (this->IsAlive(cell))
+    {
+      this->MendBall(cell);
+      m_NewCells.push_back(cell);
+    }
   }
-  std::vector<CellHandle> cells;
-  cells.reserve(triangulation.number_of_cells());
-  for (auto cell = triangulation.all_cells_begin(); cell != triangulation.all_cells_end(); ++cell)
-  {
-    cells.push_back(cell);
-  }
-  m_Kernel->Register(cells);
   return true;
 }
 
-DelaunayRefinementTriangulation::IndexType
+IndexType
 DelaunayRefinementTriangulation::Insert(const PointType & point, IndexType hint)
 {
-  DelaunayType &                triangulation = m_Kernel->GetTriangulation();
-  const GeometryKernel::Point_3 kernelPoint = ToKernel(point);
-  CellHandle                    start = m_Kernel->GetCell(hint);
-  if (triangulation.side_of_sphere(start, kernelPoint) != CGAL::ON_BOUNDED_SIDE)
+  const IndexType start = this->FindConflict(point, hint);
+  if (start == None)
   {
-    DelaunayType::Locate_type type;
-    int                       i;
-    int                       j;
-    start = triangulation.locate(kernelPoint, type, i, j, start);
-    if (type == DelaunayType::VERTEX)
+    return None;
+  }
+  const auto vertex = static_cast<IndexType>(m_Points.size());
+  m_Points.push_back(point);
+  m_CellOfVertex.push_back(None);
+  this->MakeStar(vertex, start);
+  for (const IndexType cell : m_NewCells)
+  {
+    this->MendBall(cell);
+  }
+  return vertex;
+}
+
+void
+DelaunayRefinementTriangulation::MakeFirstCells(std::array<IndexType, 4> v)
+{
+  if (Predicates::Orientation(m_Points[v[0]], m_Points[v[1]], m_Points[v[2]], m_Points[v[3]]) < 0)
+  {
+    std::swap(v[2], v[3]);
+  }
+  const IndexType finite = this->TakeCell();
+  m_Cells[finite].vertices = v;
+  std::array<IndexType, 4> infinite;
+  for (unsigned int i = 0; i < 4; ++i)
+  {
+    infinite[i] = this->TakeCell();
+    // An odd permutation of the finite cell, as it lies on the other side of the facet.
+    auto & vertices = m_Cells[infinite[i]].vertices;
+    vertices = v;
+    vertices[i] = InfiniteVertex;
+    std::swap(vertices[(i + 1) & 3], vertices[(i + 2) & 3]);
+    m_Cells[infinite[i]].neighbors[i] = finite;
+    m_Cells[finite].neighbors[i] = infinite[i];
+  }
+  for (unsigned int i = 0; i < 4; ++i)
+  {
+    for (unsigned int slot = 0; slot < 4; ++slot)
+    {
+      if (slot != i)
+      {
+        // Opposite to vertex j of the finite cell is the infinite cell j.
+        const IndexType vertex = m_Cells[infinite[i]].vertices[slot];
+        const auto      j = std::find(v.begin(), v.end(), vertex) - v.begin();
+        m_Cells[infinite[i]].neighbors[slot] = infinite[j];
+      }
+    }
+  }
+  for (const IndexType cell : { finite, infinite[0], infinite[1], infinite[2], infinite[3] })
+  {
+    this->UpdateCellOfVertices(cell);
+    this->ComputeBall(cell);
+  }
+}
+
+IndexType
+DelaunayRefinementTriangulation::FindConflict(const PointType & point, IndexType hint) const
+{
+  if (this->IsInConflict(hint, point))
+  {
+    return hint;
+  }
+  const IndexType cell = this->Locate(point, hint);
+  for (const IndexType vertex : m_Cells[cell].vertices)
+  {
+    if (vertex != InfiniteVertex && m_Points[vertex] == point)
     {
       return None;
     }
   }
-  std::vector<CellHandle>          conflicts;
-  std::vector<DelaunayType::Facet> boundary;
-  conflicts.reserve(32);
-  boundary.reserve(64);
-  triangulation.find_conflicts(kernelPoint, start, std::back_inserter(boundary), std::back_inserter(conflicts));
-  for (const CellHandle & cell : conflicts)
+  return cell;
+}
+
+IndexType
+DelaunayRefinementTriangulation::Locate(const PointType & point, IndexType start) const
+{
+  // Towards any facet that the point is beyond: in a Delaunay triangulation this never goes round in circles.
+  IndexType cell = start;
+  IndexType previous = None;
+  while (true)
   {
-    ReleaseCell(cell->info());
+    const CellType &                 current = m_Cells[cell];
+    std::array<const PointType *, 4> corners;
+    unsigned int                     infinite = 4;
+    for (unsigned int i = 0; i < 4; ++i)
+    {
+      corners[i] = &m_Points[current.vertices[i]];
+      infinite = current.vertices[i] == InfiniteVertex ? i : infinite;
+    }
+    if (infinite < 4)
+    {
+      corners[infinite] = &point;
+      if (previous != None || Predicates::Orientation(*corners[0], *corners[1], *corners[2], *corners[3]) > 0)
+      {
+        return cell;
+      }
+      cell = current.neighbors[infinite];
+      continue;
+    }
+    IndexType next = None;
+    for (unsigned int i = 0; i < 4 && next == None; ++i)
+    {
+      if (current.neighbors[i] != previous)
+      {
+        const PointType * const corner = corners[i];
+        corners[i] = &point;
+        if (Predicates::Orientation(*corners[0], *corners[1], *corners[2], *corners[3]) < 0)
+        {
+          next = current.neighbors[i];
+        }
+        corners[i] = corner;
+      }
+    }
+    if (next == None)
+    {
+      return cell;
+    }
+    previous = cell;
+    cell = next;
   }
-  const VertexHandle vertex = triangulation.insert_in_hole(
-    kernelPoint, conflicts.begin(), conflicts.end(), boundary.front().first, boundary.front().second);
-  m_Kernel->AddVertex(vertex, point);
-  conflicts.clear();
-  triangulation.incident_cells(vertex, std::back_inserter(conflicts));
-  m_Kernel->Register(conflicts);
-  return vertex->info();
+}
+
+bool
+DelaunayRefinementTriangulation::IsInConflictExactly(IndexType cell, const PointType & point) const
+{
+  const CellType &                 candidate = m_Cells[cell];
+  std::array<const PointType *, 4> corners;
+  unsigned int                     infinite = 4;
+  for (unsigned int i = 0; i < 4; ++i)
+  {
+    corners[i] = &m_Points[candidate.vertices[i]];
+    infinite = candidate.vertices[i] == InfiniteVertex ? i : infinite;
+  }
+  if (infinite < 4)
+  {
+    corners[infinite] = &point;
+    const int side = Predicates::Orientation(*corners[0], *corners[1], *corners[2], *corners[3]);
+    // In the plane of the facet, the circumsphere of the cell behind it decides.
+    return side != 0 ? side > 0 : this->IsInConflict(candidate.neighbors[infinite], point);
+  }
+  const int side = Predicates::ExactSideOfSphere(*corners[0], *corners[1], *corners[2], *corners[3], point);
+  return side != 0 ? side > 0 : IsInsidePerturbed(corners, point);
+}
+
+void
+DelaunayRefinementTriangulation::AddBoundary(IndexType cell, unsigned int slot)
+{
+  const IndexType beyond = m_Cells[cell].neighbors[slot];
+  const auto &    neighbors = m_Cells[beyond].neighbors;
+  unsigned int    mirror = 0;
+  while (neighbors[mirror] != cell)
+  {
+    ++mirror;
+  }
+  m_Boundary.push_back(
+    { m_Cells[cell].vertices, beyond, static_cast<std::uint8_t>(slot), static_cast<std::uint8_t>(mirror) });
+}
+
+void
+DelaunayRefinementTriangulation::FindCavity(const PointType & point, IndexType start)
+{
+  m_CellMarks.resize(m_Cells.size(), 0);
+  m_Mark += 2;
+  const std::uint32_t in = m_Mark;
+  const std::uint32_t out = m_Mark + 1;
+  m_Cavity.assign(1, start);
+  m_Boundary.clear();
+  m_CellMarks[start] = in;
+  for (std::size_t i = 0; i < m_Cavity.size(); ++i)
+  {
+    const IndexType cell = m_Cavity[i];
+    for (unsigned int slot = 0; slot < 4; ++slot)
+    {
+      const IndexType neighbor = m_Cells[cell].neighbors[slot];
+      std::uint32_t & mark = m_CellMarks[neighbor];
+      if (mark == in)
+      {
+        continue;
+      }
+      if (mark != out)
+      {
+        if (this->IsInConflict(neighbor, point))
+        {
+          mark = in;
+          m_Cavity.push_back(neighbor);
+          continue;
+        }
+        mark = out;
+      }
+      this->AddBoundary(cell, slot);
+    }
+  }
+}
+
+void
+DelaunayRefinementTriangulation::MakeStar(IndexType vertex, IndexType start)
+{
+  this->FindCavity(m_Points[vertex], start);
+  for (const IndexType cell : m_Cavity)
+  {
+    this->ReleaseCell(cell);
+  }
+  m_NewCells.clear();
+  for (const BoundaryType & facet : m_Boundary)
+  {
+    const IndexType index = this->TakeCell();
+    CellType &      cell = m_Cells[index];
+    cell.vertices = facet.vertices;
+    cell.vertices[facet.slot] = vertex;
+    cell.neighbors[facet.slot] = facet.beyond;
+    m_Cells[facet.beyond].neighbors[facet.mirror] = index;
+    m_NewCells.push_back(index);
+  }
+  this->LinkStar();
+  for (const IndexType cell : m_NewCells)
+  {
+    this->UpdateCellOfVertices(cell);
+    this->ComputeBall(cell);
+  }
+}
+
+void
+DelaunayRefinementTriangulation::LinkStar()
+{
+  // The cavity's boundary is oriented: each of its edges is passed once in either direction.
+  m_VertexPlaces.resize(m_Points.size(), 0);
+  ++m_NumberOfStars;
+  std::uint32_t numberOfPlaces = 0;
+  const auto    getPlace = [&](IndexType vertex) {
+    std::uint64_t & place = m_VertexPlaces[vertex];
+    if (place >> 32 != m_NumberOfStars)
+    {
+      place = static_cast<std::uint64_t>(m_NumberOfStars) << 32 | numberOfPlaces++;
+    }
+    return static_cast<std::uint32_t>(place);
+  };
+  for (std::size_t i = 0; i < m_NewCells.size(); ++i)
+  {
+    const auto &        slots = FacetVertices[m_Boundary[i].slot];
+    const auto &        vertices = m_Cells[m_NewCells[i]].vertices;
+    const std::uint32_t places[3] = { getPlace(vertices[slots[0]]),
+                                      getPlace(vertices[slots[1]]),
+                                      getPlace(vertices[slots[2]]) };
+    if (numberOfPlaces > MostVerticesOfMatrix)
+    {
+      this->LinkLargeStar();
+      return;
+    }
+    for (unsigned int j = 0; j < 3; ++j)
+    {
+      m_Matrix[places[j] * MostVerticesOfMatrix + places[(j + 1) % 3]] = m_NewCells[i];
+    }
+  }
+  for (std::size_t i = 0; i < m_NewCells.size(); ++i)
+  {
+    const auto &        slots = FacetVertices[m_Boundary[i].slot];
+    CellType &          cell = m_Cells[m_NewCells[i]];
+    const std::uint32_t places[3] = { getPlace(cell.vertices[slots[0]]),
+                                      getPlace(cell.vertices[slots[1]]),
+                                      getPlace(cell.vertices[slots[2]]) };
+    for (unsigned int j = 0; j < 3; ++j)
+    {
+      cell.neighbors[slots[(j + 2) % 3]] = m_Matrix[places[(j + 1) % 3] * MostVerticesOfMatrix + places[j]];
+    }
+  }
+}
+
+void
+DelaunayRefinementTriangulation::LinkLargeStar()
+{
+  m_SharedEdges.clear();
+  for (std::size_t i = 0; i < m_NewCells.size(); ++i)
+  {
+    const auto & slots = FacetVertices[m_Boundary[i].slot];
+    const auto & vertices = m_Cells[m_NewCells[i]].vertices;
+    for (unsigned int j = 0; j < 3; ++j)
+    {
+      const auto ends = std::minmax(vertices[slots[j]], vertices[slots[(j + 1) % 3]]);
+      m_SharedEdges.push_back({ static_cast<std::uint64_t>(ends.first) << 32 | ends.second,
+                                m_NewCells[i],
+                                static_cast<std::uint8_t>(slots[(j + 2) % 3]) });
+    }
+  }
+  std::sort(m_SharedEdges.begin(), m_SharedEdges.end(), [](const SharedEdgeType & a, const SharedEdgeType & b) {
+    return a.vertices < b.vertices;
+  });
+  for (std::size_t i = 0; i + 1 < m_SharedEdges.size(); i += 2)
+  {
+    const SharedEdgeType & one = m_SharedEdges[i];
+    const SharedEdgeType & other = m_SharedEdges[i + 1];
+    m_Cells[one.cell].neighbors[one.slot] = other.cell;
+    m_Cells[other.cell].neighbors[other.slot] = one.cell;
+  }
+}
+
+void
+DelaunayRefinementTriangulation::FindStar(IndexType vertex)
+{
+  m_CellMarks.resize(m_Cells.size(), 0);
+  m_Mark += 2;
+  m_Boundary.clear();
+  m_Cavity.assign(1, m_CellOfVertex[vertex]);
+  m_CellMarks[m_Cavity.front()] = m_Mark;
+  for (std::size_t i = 0; i < m_Cavity.size(); ++i)
+  {
+    const IndexType cell = m_Cavity[i];
+    for (unsigned int slot = 0; slot < 4; ++slot)
+    {
+      const IndexType neighbor = m_Cells[cell].neighbors[slot];
+      if (m_Cells[cell].vertices[slot] == vertex)
+      {
+        this->AddBoundary(cell, slot);
+      }
+      else if (m_CellMarks[neighbor] != m_Mark)
+      {
+        m_CellMarks[neighbor] = m_Mark;
+        m_Cavity.push_back(neighbor);
+      }
+    }
+  }
+}
+
+DelaunayRefinementTriangulation::OrientedFacetType
+DelaunayRefinementTriangulation::GetOrientedFacet(IndexType cell, unsigned int slot) const
+{
+  const auto &             v = m_Cells[cell].vertices;
+  const auto &             slots = FacetVertices[slot];
+  std::array<IndexType, 3> vertices{ v[slots[0]], v[slots[1]], v[slots[2]] };
+  std::rotate(vertices.begin(), std::min_element(vertices.begin(), vertices.end()), vertices.end());
+  return { vertices, cell, static_cast<std::uint8_t>(slot) };
 }
 
 void
 DelaunayRefinementTriangulation::Remove(IndexType vertex)
 {
-  DelaunayType &          triangulation = m_Kernel->GetTriangulation();
-  std::vector<CellHandle> cells;
-  triangulation.incident_cells(m_Kernel->GetVertex(vertex), std::back_inserter(cells));
-  for (const CellHandle & cell : cells)
+  // The cells that fill the hole are those of the triangulation of the vertices around it.
+  this->FindStar(vertex);
+  std::vector<IndexType> around{ InfiniteVertex };
+  for (const BoundaryType & facet : m_Boundary)
   {
-    ReleaseCell(cell->info());
+    for (const unsigned int slot : FacetVertices[facet.slot])
+    {
+      around.push_back(facet.vertices[slot]);
+    }
   }
-  // CGAL fills the hole in an order that depends on addresses; the cells as a set do not.
-  std::sort(m_FreeCells.end() - static_cast<std::ptrdiff_t>(cells.size()), m_FreeCells.end());
-  cells.clear();
-  triangulation.remove_and_give_new_cells(m_Kernel->GetVertex(vertex), std::back_inserter(cells));
-  m_Kernel->RemoveVertex(vertex);
-  for (const CellHandle & cell : cells)
+  std::sort(around.begin(), around.end());
+  around.erase(std::unique(around.begin(), around.end()), around.end());
+  std::vector<PointType> points;
+  for (std::size_t i = 1; i < around.size(); ++i)
   {
-    RotateSmallestVertexFirst(cell);
+    points.push_back(m_Points[around[i]]);
   }
-  std::sort(cells.begin(), cells.end(), Precedes);
-  m_Kernel->Register(cells);
+  m_Local = std::make_unique<DelaunayRefinementTriangulation>();
+  m_Local->InsertMany(points, [] { return true; });
+  const auto toLocal = [&around](IndexType global) {
+    return static_cast<IndexType>(std::lower_bound(around.begin(), around.end(), global) - around.begin());
+  };
+
+  std::vector<OrientedFacetType> facets;
+  for (const IndexType cell : m_Local->m_NewCells)
+  {
+    for (unsigned int slot = 0; slot < 4; ++slot)
+    {
+      facets.push_back(m_Local->GetOrientedFacet(cell, slot));
+    }
+  }
+  std::sort(facets.begin(), facets.end());
+
+  constexpr IndexType                   unknown = None;
+  std::vector<IndexType>                globals(m_Local->m_Cells.size(), unknown);
+  std::vector<std::array<IndexType, 4>> beyond(m_Local->m_Cells.size(), { unknown, unknown, unknown, unknown });
+  std::vector<IndexType>                filling;
+  for (std::size_t i = 0; i < m_Boundary.size(); ++i)
+  {
+    const auto &      v = m_Boundary[i].vertices;
+    const auto &      slots = FacetVertices[m_Boundary[i].slot];
+    OrientedFacetType wanted{ { toLocal(v[slots[0]]), toLocal(v[slots[1]]), toLocal(v[slots[2]]) }, unknown, 0 };
+    std::rotate(
+      wanted.vertices.begin(), std::min_element(wanted.vertices.begin(), wanted.vertices.end()), wanted.vertices.end());
+    const auto found = std::lower_bound(facets.begin(), facets.end(), wanted);
+    assert(found != facets.end() && found->vertices == wanted.vertices);
+    beyond[found->cell][found->slot] = static_cast<IndexType>(i);
+    if (globals[found->cell] == unknown)
+    {
+      globals[found->cell] = 0;
+      filling.push_back(found->cell);
+    }
+  }
+  for (std::size_t i = 0; i < filling.size(); ++i)
+  {
+    for (unsigned int slot = 0; slot < 4; ++slot)
+    {
+      const IndexType neighbor = m_Local->m_Cells[filling[i]].neighbors[slot];
+      if (beyond[filling[i]][slot] == unknown && globals[neighbor] == unknown)
+      {
+        globals[neighbor] = 0;
+        filling.push_back(neighbor);
+      }
+    }
+  }
+
+  for (const IndexType cell : m_Cavity)
+  {
+    this->ReleaseCell(cell);
+  }
+  m_CellOfVertex[vertex] = None;
+  m_NewCells.clear();
+  for (const IndexType local : filling)
+  {
+    globals[local] = this->TakeCell();
+    m_NewCells.push_back(globals[local]);
+  }
+  for (const IndexType local : filling)
+  {
+    CellType & cell = m_Cells[globals[local]];
+    for (unsigned int slot = 0; slot < 4; ++slot)
+    {
+      cell.vertices[slot] = around[m_Local->m_Cells[local].vertices[slot]];
+      if (beyond[local][slot] == unknown)
+      {
+        cell.neighbors[slot] = globals[m_Local->m_Cells[local].neighbors[slot]];
+      }
+      else
+      {
+        const BoundaryType & facet = m_Boundary[beyond[local][slot]];
+        cell.neighbors[slot] = facet.beyond;
+        m_Cells[facet.beyond].neighbors[facet.mirror] = globals[local];
+      }
+    }
+    this->UpdateCellOfVertices(globals[local]);
+    this->ComputeBall(globals[local]);
+    this->MendBall(globals[local]);
+  }
+}
+
+IndexType
+DelaunayRefinementTriangulation::TakeCell()
+{
+  IndexType index;
+  if (m_FreeCells.empty())
+  {
+    index = static_cast<IndexType>(m_Cells.size());
+    m_Cells.emplace_back();
+    m_Generations.push_back(0);
+  }
+  else
+  {
+    index = m_FreeCells.back();
+    m_FreeCells.pop_back();
+  }
+  ++m_Generations[index];
+  return index;
 }
 
 void
@@ -320,9 +594,108 @@ DelaunayRefinementTriangulation::ReleaseCell(IndexType cell)
   m_FreeCells.push_back(cell);
 }
 
+void
+DelaunayRefinementTriangulation::UpdateCellOfVertices(IndexType cell)
+{
+  for (const IndexType vertex : m_Cells[cell].vertices)
+  {
+    m_CellOfVertex[vertex] = cell;
+  }
+}
+
+void
+DelaunayRefinementTriangulation::ComputeBall(IndexType index)
+{
+  using Geometry = DelaunayRefinementGeometry;
+  CellType & cell = m_Cells[index];
+  cell.center = {};
+  cell.signedSquaredRadius = 0.0;
+  if (this->IsInfinite(index))
+  {
+    return;
+  }
+  const PointType & a = m_Points[cell.vertices[0]];
+  const PointType   u = Geometry::Subtract(m_Points[cell.vertices[1]], a);
+  const PointType   v = Geometry::Subtract(m_Points[cell.vertices[2]], a);
+  const PointType   w = Geometry::Subtract(m_Points[cell.vertices[3]], a);
+  const PointType   vw = Geometry::Cross(v, w);
+  const PointType   wu = Geometry::Cross(w, u);
+  const PointType   uv = Geometry::Cross(u, v);
+  const double      determinant = Geometry::Dot(u, vw);
+  const double      uu = Geometry::Dot(u, u);
+  const double      vv = Geometry::Dot(v, v);
+  const double      ww = Geometry::Dot(w, w);
+  const double      factor = 0.5 / determinant;
+  const PointType   offset{ factor * (uu * vw[0] + vv * wu[0] + ww * uv[0]),
+                          factor * (uu * vw[1] + vv * wu[1] + ww * uv[1]),
+                          factor * (uu * vw[2] + vv * wu[2] + ww * uv[2]) };
+  const double      squaredRadius = Geometry::Dot(offset, offset);
+  const double      square = std::max({ uu, vv, ww });
+  const double      far = SmallestDeciding * std::max({ std::abs(a[0]), std::abs(a[1]), std::abs(a[2]) });
+  cell.center = Geometry::AddScaled(a, 1.0, offset);
+  const bool isDeciding =
+    determinant * determinant > FlattestDeciding * FlattestDeciding * square * square * square && square > far * far;
+  cell.signedSquaredRadius = isDeciding ? squaredRadius : -squaredRadius;
+}
+
+void
+DelaunayRefinementTriangulation::MendBall(IndexType index)
+{
+  CellType & cell = m_Cells[index];
+  if (cell.signedSquaredRadius > 0.0 || this->IsInfinite(index))
+  {
+    return;
+  }
+  const auto &     v = cell.vertices;
+  const SphereType ball =
+    DelaunayRefinementGeometry::ComputeCircumsphere(m_Points[v[0]], m_Points[v[1]], m_Points[v[2]], m_Points[v[3]]);
+  cell.center = ball.center;
+  cell.signedSquaredRadius = -ball.squaredRadius;
+}
+
 bool
 DelaunayRefinementTriangulation::IsValid() const
 {
-  return m_Kernel->GetTriangulation().is_valid();
+  for (IndexType index = 0; index < this->GetNumberOfCellIndexes(); ++index)
+  {
+    if (!this->IsAlive(index))
+    {
+      continue;
+    }
+    const CellType & cell = m_Cells[index];
+    const auto       corner = [&](unsigned int i) -> const PointType & { return m_Points[cell.vertices[i]]; };
+    const bool       isInfinite = this->IsInfinite(index);
+    if (!isInfinite && Predicates::Orientation(corner(0), corner(1), corner(2), corner(3)) <= 0)
+    {
+      return false;
+    }
+    for (unsigned int slot = 0; slot < 4; ++slot)
+    {
+      const IndexType neighbor = cell.neighbors[slot];
+      if (!this->IsAlive(neighbor))
+      {
+        return false;
+      }
+      const auto & back = m_Cells[neighbor].neighbors;
+      const auto   mirror = std::find(back.begin(), back.end(), index) - back.begin();
+      if (mirror == 4)
+      {
+        return false;
+      }
+      // The same facet from the other side.
+      auto one = this->GetOrientedFacet(index, slot).vertices;
+      std::swap(one[1], one[2]);
+      if (one != this->GetOrientedFacet(neighbor, static_cast<unsigned int>(mirror)).vertices)
+      {
+        return false;
+      }
+      const IndexType opposite = m_Cells[neighbor].vertices[mirror];
+      if (opposite != InfiniteVertex && this->IsInConflictExactly(index, m_Points[opposite]))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
 }
 } // end namespace itk

@@ -18,7 +18,7 @@
 #ifndef itkDelaunayRefinementTriangulation_h
 #define itkDelaunayRefinementTriangulation_h
 
-#include "itkDelaunayRefinementTypes.h"
+#include "itkDelaunayRefinementGeometry.h"
 
 #include <memory>
 
@@ -28,8 +28,10 @@ namespace itk
  * \brief A Delaunay triangulation of points, in arrays of indexes.
  *
  * Cells are finite tetrahedra, or infinite ones that join a facet of the convex hull to the infinite vertex. All
- * decisions are exact. Indexes of cells are used again after the cell is gone; a generation tells its uses apart.
- * The same calls give the same indexes and orders.
+ * decisions are exact; points on a common sphere are told apart by a perturbation that depends on their coordinates
+ * alone (O. Devillers, M. Teillaud, "Perturbations and vertex removal in a 3D Delaunay triangulation", 2003), so that
+ * the triangulation depends on its points and not on their order. Indexes of cells are used again after the cell is
+ * gone; a generation tells its uses apart. The same calls give the same indexes and orders.
  *
  * \ingroup DelaunayRefinement
  */
@@ -37,6 +39,7 @@ class DelaunayRefinementTriangulation
 {
 public:
   using PointType = DelaunayRefinementPoint;
+  using SphereType = DelaunayRefinementGeometry::SphereType;
   using IndexType = std::uint32_t;
 
   static constexpr IndexType None = std::numeric_limits<IndexType>::max();
@@ -47,13 +50,16 @@ public:
   {
     std::array<IndexType, 4> vertices;
     std::array<IndexType, 4> neighbors;
+    PointType                center;
+    /** Negative if the circumball is not known well enough to decide with; 0 if the cell is infinite. */
+    double signedSquaredRadius;
   };
 
   DelaunayRefinementTriangulation();
   ~DelaunayRefinementTriangulation();
 
-  /** Inserts the first points, none of which is twice in the list, in an order of its own. Point i becomes vertex
-   * i + 1. False if \c keepGoing, asked now and then, said so; the triangulation is of no use then. */
+  /** Inserts the first points, at least four that are not coplanar and none twice, in an order of its own. Point i
+   * becomes vertex i + 1. False if \c keepGoing, asked now and then, said so; the triangulation is of no use then. */
   bool
   InsertMany(const std::vector<PointType> & points, const std::function<bool()> & keepGoing);
 
@@ -62,11 +68,11 @@ public:
   IndexType
   Insert(const PointType & point, IndexType hint);
 
-  /** Removes a vertex; its index is not used again. */
+  /** Removes a vertex that is no corner of the convex hull; its index is not used again. */
   void
   Remove(IndexType vertex);
 
-  /** The cells that the last Insert or Remove made. */
+  /** The cells that the last call made. */
   const std::vector<IndexType> &
   GetNewCells() const
   {
@@ -91,6 +97,19 @@ public:
   GetCell(IndexType cell) const
   {
     return m_Cells[cell];
+  }
+
+  /** The circumball of a finite cell; a radius of 0 for an infinite one. */
+  SphereType
+  GetBall(IndexType cell) const
+  {
+    return { m_Cells[cell].center, std::abs(m_Cells[cell].signedSquaredRadius) };
+  }
+
+  double
+  GetSquaredRadius(IndexType cell) const
+  {
+    return std::abs(m_Cells[cell].signedSquaredRadius);
   }
 
   const PointType &
@@ -131,18 +150,128 @@ public:
   IsValid() const;
 
 private:
-  class Kernel;
+  /** A facet on the boundary of a cavity: facet \c slot of a cell in it, the cell beyond it, and that one's facet. */
+  struct BoundaryType
+  {
+    std::array<IndexType, 4> vertices;
+    IndexType                beyond;
+    std::uint8_t             slot;
+    std::uint8_t             mirror;
+  };
+
+  /** Two cells of a star meet in an edge of the cavity's boundary. */
+  struct SharedEdgeType
+  {
+    std::uint64_t vertices;
+    IndexType     cell;
+    std::uint8_t  slot;
+  };
+
+  /** A facet by its vertices in the order that its cell sees, the smallest first. */
+  struct OrientedFacetType
+  {
+    std::array<IndexType, 3> vertices;
+    IndexType                cell;
+    std::uint8_t             slot;
+
+    bool
+    operator<(const OrientedFacetType & other) const
+    {
+      return vertices < other.vertices;
+    }
+  };
+
+  /** The finite cell of four points and the infinite ones around it. */
+  void
+  MakeFirstCells(std::array<IndexType, 4> vertices);
+
+  /** A cell in whose circumball a point lies, None if the point is a vertex. */
+  IndexType
+  FindConflict(const PointType & point, IndexType hint) const;
+
+  /** The finite cell that contains a point, or an infinite one beyond whose facet it is. */
+  IndexType
+  Locate(const PointType & point, IndexType start) const;
+
+  bool
+  IsInConflict(IndexType cell, const PointType & point) const
+  {
+    const CellType & candidate = m_Cells[cell];
+    const double     squaredRadius = candidate.signedSquaredRadius;
+    const double     x = point[0] - candidate.center[0];
+    const double     y = point[1] - candidate.center[1];
+    const double     z = point[2] - candidate.center[2];
+    const double     excess = x * x + y * y + z * z - squaredRadius;
+    if (std::abs(excess) > DecidingShare * squaredRadius && squaredRadius > 0.0)
+    {
+      return excess < 0.0;
+    }
+    return this->IsInConflictExactly(cell, point);
+  }
+
+  bool
+  IsInConflictExactly(IndexType cell, const PointType & point) const;
+
+  /** Replaces all cells in conflict with a vertex, \c start among them, by its star. */
+  void
+  MakeStar(IndexType vertex, IndexType start);
+
+  void
+  FindCavity(const PointType & point, IndexType start);
+
+  void
+  LinkStar();
+  void
+  LinkLargeStar();
+
+  void
+  FindStar(IndexType vertex);
+
+  void
+  AddBoundary(IndexType cell, unsigned int slot);
+
+  OrientedFacetType
+  GetOrientedFacet(IndexType cell, unsigned int slot) const;
+
+  IndexType
+  TakeCell();
 
   void
   ReleaseCell(IndexType cell);
 
-  std::unique_ptr<Kernel>    m_Kernel;
+  void
+  UpdateCellOfVertices(IndexType cell);
+
+  /** The circumball; what is too flat for floating point is left for MendBall(). */
+  void
+  ComputeBall(IndexType cell);
+
+  /** Exactly where ComputeBall() could not. */
+  void
+  MendBall(IndexType cell);
+
+  /** Relative difference of squared distances that decides against a circumball known well enough. */
+  static constexpr double DecidingShare = 1e-7;
+
+  static constexpr unsigned int MostVerticesOfMatrix = 64;
+
   std::vector<PointType>     m_Points{};
   std::vector<IndexType>     m_CellOfVertex{};
   std::vector<CellType>      m_Cells{};
   std::vector<std::uint32_t> m_Generations{};
   std::vector<IndexType>     m_FreeCells{};
   std::vector<IndexType>     m_NewCells{};
+
+  // Scratch of single calls.
+  std::vector<IndexType>                           m_Cavity{};
+  std::vector<BoundaryType>                        m_Boundary{};
+  std::vector<std::uint32_t>                       m_CellMarks{};
+  std::uint32_t                                    m_Mark{ 0 };
+  std::vector<std::uint64_t>                       m_VertexPlaces{};
+  std::uint32_t                                    m_NumberOfStars{ 0 };
+  std::vector<IndexType>                           m_Matrix{};
+  std::vector<SharedEdgeType>                      m_SharedEdges{};
+  std::unique_ptr<DelaunayRefinementTriangulation> m_Local{};
 };
 } // end namespace itk
 
