@@ -19,8 +19,10 @@
 #define itkDelaunayRefinementImageCensus_h
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
 #include <limits>
 #include <map>
 #include <type_traits>
@@ -73,7 +75,7 @@ public:
     {
       constexpr int     offset = std::numeric_limits<TPixel>::min();
       std::vector<char> isThere(std::numeric_limits<TPixel>::max() - offset + 1, 0);
-      for (std::size_t i = 0; i < m_NumberOfPixels; ++i)
+      for (std::size_t i = 0; i < m_NumberOfPixels; i = this->FindChange(i))
       {
         isThere[m_Buffer[i] - offset] = 1;
       }
@@ -89,18 +91,9 @@ public:
     else
     {
       std::map<TPixel, bool> isThere;
-      TPixel                 last{ 0 };
-      for (std::size_t i = 0; i < m_NumberOfPixels; ++i)
+      for (std::size_t i = 0; i < m_NumberOfPixels && isThere.size() <= MostLabels; i = this->FindChange(i))
       {
-        if (m_Buffer[i] != last)
-        {
-          last = m_Buffer[i];
-          isThere[last] = true;
-          if (isThere.size() > MostLabels)
-          {
-            break;
-          }
-        }
+        isThere[m_Buffer[i]] = true;
       }
       for (const auto & entry : isThere)
       {
@@ -133,6 +126,25 @@ public:
   }
 
 private:
+  /** The first pixel after \c i with another value, or the end. */
+  std::size_t
+  FindChange(std::size_t i) const
+  {
+    constexpr std::size_t      length = 64 / sizeof(TPixel);
+    std::array<TPixel, length> same;
+    same.fill(m_Buffer[i]);
+    ++i;
+    while (i + length <= m_NumberOfPixels && std::memcmp(m_Buffer + i, same.data(), sizeof(same)) == 0)
+    {
+      i += length;
+    }
+    while (i < m_NumberOfPixels && m_Buffer[i] == same[0])
+    {
+      ++i;
+    }
+    return i;
+  }
+
   static constexpr std::size_t MostLabels = 100000;
 
   const TPixel * m_Buffer;

@@ -180,6 +180,10 @@ private:
   double
   GetGreatestLength(const PointType & extents) const;
 
+  /** Half the box around all vectors with at most these absolute coordinates. */
+  PointType
+  GetHalfExtents(const PointType & extents) const;
+
   /** GREY: the values at the corners of a cell, minus the level. */
   std::array<double, 8>
   GetCellValues(const IndexType & cell) const;
@@ -234,6 +238,8 @@ private:
   std::array<PointType, 3>                           m_InverseRows{};
   std::array<PointType, 3>                           m_Gram{};
   double                                             m_LeastStretch{ 1.0 };
+  double                                             m_CubeRadius{ 0.0 };
+  PointType                                          m_CubeHalfExtents{};
   std::unique_ptr<DelaunayRefinementVoxelMask>       m_Mask;
   std::unique_ptr<DelaunayRefinementVoxelComponents> m_Components;
   std::unique_ptr<DelaunayRefinementBricks>          m_Bricks;

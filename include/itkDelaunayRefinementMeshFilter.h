@@ -233,7 +233,8 @@ private:
                   const DelaunayRefinementParameters &    parameters) const;
 
   void
-  VerifyMemory(const DelaunayRefinementLatticeOracle & oracle,
+  VerifyMemory(const InputImageType *                  image,
+               const DelaunayRefinementLatticeOracle & oracle,
                const std::vector<std::uint32_t> &      kept,
                const DelaunayRefinementParameters &    parameters) const;
 

@@ -221,7 +221,7 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::GenerateData()
     const std::vector<std::uint32_t>   kept = this->LeaveOutNegligibleComponents(oracle);
     const DelaunayRefinementParameters parameters = this->MakeParameters(oracle, kept);
     this->VerifyPrecision(oracle, parameters);
-    this->VerifyMemory(oracle, kept, parameters);
+    this->VerifyMemory(image, oracle, kept, parameters);
     m_PreparationSeconds = secondsSince(preparationStart);
 
     DelaunayRefinementEngine engine(oracle, parameters);
@@ -544,6 +544,7 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::VerifyPrecision(
 template <typename TInputImage, typename TOutputMesh>
 void
 DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::VerifyMemory(
+  const InputImageType *                  image,
   const DelaunayRefinementLatticeOracle & oracle,
   const std::vector<std::uint32_t> &      kept,
   const DelaunayRefinementParameters &    parameters) const
@@ -551,15 +552,18 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::VerifyMemory(
   // Measured: some 800 bytes for each tetrahedron of the mesh, those outside it included.
   constexpr double megabytesPerTetrahedron = 1e-3;
   double           megabytes = megabytesPerTetrahedron * oracle.EstimateNumberOfTetrahedra(parameters);
+  const auto &     spacing = image->GetSpacing();
+  const double     leastSpacing = *std::min_element(spacing.Begin(), spacing.End());
   for (std::size_t i = 0; i < kept.size(); ++i)
   {
     if (parameters.componentDelta[i] < parameters.delta)
     {
-      // A ball has three times its volume over its radius for a surface.
+      // A ball has three times its volume over its radius for a surface; no voxel has more than its six faces.
       constexpr double                    tetrahedraPerArea = 3.4;
       const DelaunayRefinementComponent & component = m_Components[kept[i]];
+      const double                        radius = std::max(component.inscribedRadius, 0.5 * leastSpacing);
       megabytes += megabytesPerTetrahedron * tetrahedraPerArea * 3.0 * component.volume /
-                   (component.inscribedRadius * parameters.componentDelta[i] * parameters.componentDelta[i]);
+                   (radius * parameters.componentDelta[i] * parameters.componentDelta[i]);
     }
   }
   itksys::SystemInformation system;

@@ -54,9 +54,10 @@ public:
   /** A piece of the surface. */
   struct SurfacePatch
   {
-    /** The whole piece lies within \c radius of \c center. */
+    /** The whole piece lies within \c radius of \c center, and in the box that extends by \c halfExtents from it. */
     PointType center;
     double    radius;
+    PointType halfExtents;
     /** Which piece it is, for the oracle. */
     std::array<std::int32_t, 3> index;
     std::uint8_t                level;

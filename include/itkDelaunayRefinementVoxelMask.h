@@ -54,20 +54,29 @@ public:
   void
   SetRow(std::int32_t y, std::int32_t z, const TPredicate & isInside)
   {
-    std::uint64_t * row = this->GetRow(y + 1, z + 1);
-    std::uint64_t   word = 0;
-    std::int32_t    bit = 1;
-    for (std::int32_t x = 0; x < m_Size[0]; ++x, ++bit)
+    // By bytes first, which compilers make fast.
+    std::uint64_t *              row = this->GetRow(y + 1, z + 1);
+    std::array<std::uint8_t, 64> bytes;
+    std::uint64_t                carry = 0;
+    for (std::int32_t first = 0; first < m_Size[0]; first += 64)
     {
-      if (bit == 64)
+      const std::int32_t number = m_Size[0] - first;
+      if (number < 64)
       {
-        *row++ = word;
-        word = 0;
-        bit = 0;
+        bytes.fill(0);
       }
-      word |= static_cast<std::uint64_t>(isInside(x) ? 1 : 0) << bit;
+      for (std::int32_t i = 0; i < (number < 64 ? number : 64); ++i)
+      {
+        bytes[i] = isInside(first + i) ? 1 : 0;
+      }
+      const std::uint64_t bits = PackBytes(bytes);
+      *row++ = bits << 1 | carry;
+      carry = bits >> 63;
     }
-    *row = word;
+    if (m_Size[0] % 64 == 0)
+    {
+      *row = carry;
+    }
   }
 
   /** Whether voxel (x, y, z) belongs to the object; any index from -1 to the size. */
@@ -113,6 +122,24 @@ public:
   Count() const;
 
 private:
+  /** Bit i is byte i, which is 0 or 1. */
+  static std::uint64_t
+  PackBytes(const std::array<std::uint8_t, 64> & bytes)
+  {
+    std::uint64_t bits = 0;
+    for (unsigned int part = 0; part < 8; ++part)
+    {
+      // The product moves the last bit of byte k to bit 56 + k; nothing else gets there.
+      std::uint64_t eight = 0;
+      for (unsigned int i = 0; i < 8; ++i)
+      {
+        eight |= static_cast<std::uint64_t>(bytes[8 * part + i]) << (8 * i);
+      }
+      bits |= (eight * 0x0102040810204080u >> 56) << (8 * part);
+    }
+    return bits;
+  }
+
   std::uint64_t *
   GetRow(std::int32_t paddedY, std::int32_t paddedZ)
   {

@@ -31,6 +31,23 @@ namespace itk
  * SamplesPerSide(size) (on a grid so fine the cube is mixed if it holds surface), and FindFirstChange(from, to,
  * isInside, share): the first share of the way at which the inside differs from \c isInside. */
 
+/** FindOctants() by MayIntersect(). */
+template <typename TCell>
+unsigned int
+FindOctantsOneByOne(const TCell & cell, const DelaunayRefinementPoint & corner, double size)
+{
+  const double half = 0.5 * size;
+  unsigned int octants = 0;
+  for (unsigned int i = 0; i < 8; ++i)
+  {
+    const DelaunayRefinementPoint at{ corner[0] + (i & 1u) * half,
+                                      corner[1] + (i >> 1 & 1u) * half,
+                                      corner[2] + (i >> 2) * half };
+    octants |= (cell.MayIntersect(at, half) ? 1u : 0u) << i;
+  }
+  return octants;
+}
+
 /** \class DelaunayRefinementLinearCell
  * \brief Inside is where the trilinear interpolation of eight corner values is >= 0.
  *
@@ -255,7 +272,7 @@ public:
   unsigned int
   FindOctants(const PointType & corner, double size) const
   {
-    return this->MayIntersect(corner, size) ? 0xFFu : 0u;
+    return FindOctantsOneByOne(*this, corner, size);
   }
 
   static unsigned int
@@ -342,7 +359,7 @@ public:
   unsigned int
   FindOctants(const PointType & corner, double size) const
   {
-    return this->MayIntersect(corner, size) ? 0xFFu : 0u;
+    return FindOctantsOneByOne(*this, corner, size);
   }
 
   static unsigned int

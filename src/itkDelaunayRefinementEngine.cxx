@@ -615,11 +615,14 @@ DelaunayRefinementEngine::Impl::FindMissingComponents() const
 {
   const auto &      triangulation = m_Complex->GetTriangulation();
   std::vector<bool> isMeshed(m_Oracle.GetNumberOfComponents(), false);
-  for (IndexType cell = 0; cell < triangulation.GetNumberOfCellIndexes(); ++cell)
+  std::size_t       numberOfMissing = isMeshed.size();
+  for (IndexType cell = 0; cell < triangulation.GetNumberOfCellIndexes() && numberOfMissing > 0; ++cell)
   {
     if (triangulation.IsAlive(cell) && !triangulation.IsInfinite(cell) && m_Complex->GetRegion(cell) != 0)
     {
-      isMeshed[isMeshed.size() == 1 ? 0 : m_Oracle.FindComponent(m_Complex->GetCircumcenter(cell))] = true;
+      const auto component = isMeshed.size() == 1 ? 0 : m_Oracle.FindComponent(m_Complex->GetCircumcenter(cell));
+      numberOfMissing -= isMeshed[component] ? 0 : 1;
+      isMeshed[component] = true;
     }
   }
   std::vector<std::uint32_t> missing;

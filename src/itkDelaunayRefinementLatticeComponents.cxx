@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkDelaunayRefinementLatticeOracle.h"
 
+#include "itkDelaunayRefinementBits.h"
 #include "itkDelaunayRefinementGeometry.h"
 
 #include <algorithm>
@@ -64,8 +65,9 @@ DelaunayRefinementLatticeOracle::ComputeComponents(double enough) const
 {
   // A tiny delta is no reason to call components thin.
   enough = std::max(enough, this->GetLeastSpacing());
-  const auto &                 infos = m_Components->GetComponents();
-  const std::vector<IndexType> centers = this->FindThickVoxels(enough);
+  const auto & infos = m_Components->GetComponents();
+  // Widths are measured along axes; a ball as wide as that along each may have less than that for a radius.
+  const std::vector<IndexType> centers = this->FindThickVoxels(2.0 * enough + this->GetLeastSpacing());
   const double                 voxelVolume =
     std::abs(Geometry::Dot(m_Frame.axes[0], Geometry::Cross(m_Frame.axes[1], m_Frame.axes[2])));
   std::vector<DelaunayRefinementComponent> components(infos.size());
@@ -192,14 +194,6 @@ DelaunayRefinementLatticeOracle::EstimateSurfaceArea() const
   const DelaunayRefinementVoxelMask & mask = *m_Mask;
   const auto &                        size = mask.GetSize();
   const std::size_t                   words = mask.GetWordsPerRow();
-  const auto                          count = [](std::uint64_t word) {
-    double number = 0.0;
-    for (; word != 0; word &= word - 1)
-    {
-      ++number;
-    }
-    return number;
-  };
   for (std::int32_t z = 0; z <= size[2]; ++z)
   {
     for (std::int32_t y = 0; y <= size[1]; ++y)
@@ -210,9 +204,9 @@ DelaunayRefinementLatticeOracle::EstimateSurfaceArea() const
       for (std::size_t i = 0; i < words; ++i)
       {
         const std::uint64_t carry = i + 1 < words ? row[i + 1] << 63 : 0;
-        faces[0] += count(row[i] ^ (row[i] >> 1 | carry));
-        faces[1] += count(row[i] ^ nextY[i]);
-        faces[2] += count(row[i] ^ nextZ[i]);
+        faces[0] += CountDelaunayRefinementBits(row[i] ^ (row[i] >> 1 | carry));
+        faces[1] += CountDelaunayRefinementBits(row[i] ^ nextY[i]);
+        faces[2] += CountDelaunayRefinementBits(row[i] ^ nextZ[i]);
       }
     }
   }

@@ -88,6 +88,8 @@ DelaunayRefinementLatticeOracle::Initialize(ModelEnum                         mo
   // Rounding errors of a direction matrix are no shear.
   constexpr double noShear = 1e-12;
   m_LeastStretch = std::max(0.0, ComputeLeastEigenvalue(cosine(0, 1), cosine(0, 2), cosine(1, 2)) - noShear);
+  m_CubeRadius = this->GetGreatestLength({ 1.0, 1.0, 1.0 });
+  m_CubeHalfExtents = this->GetHalfExtents({ 1.0, 1.0, 1.0 });
   m_Mask = std::make_unique<DelaunayRefinementVoxelMask>(std::move(mask));
   m_Components = std::make_unique<DelaunayRefinementVoxelComponents>(std::move(components));
   m_Bricks = std::make_unique<DelaunayRefinementBricks>(*m_Mask);
@@ -166,6 +168,18 @@ DelaunayRefinementLatticeOracle::GetGreatestLength(const PointType & e) const
   return std::sqrt(m_Gram[0][0] * e[0] * e[0] + m_Gram[1][1] * e[1] * e[1] + m_Gram[2][2] * e[2] * e[2] +
                    2.0 * (std::abs(m_Gram[0][1]) * e[0] * e[1] + std::abs(m_Gram[0][2]) * e[0] * e[2] +
                           std::abs(m_Gram[1][2]) * e[1] * e[2]));
+}
+
+DelaunayRefinementLatticeOracle::PointType
+DelaunayRefinementLatticeOracle::GetHalfExtents(const PointType & e) const
+{
+  PointType half;
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    half[i] =
+      std::abs(m_Frame.axes[0][i]) * e[0] + std::abs(m_Frame.axes[1][i]) * e[1] + std::abs(m_Frame.axes[2][i]) * e[2];
+  }
+  return half;
 }
 
 double
@@ -290,10 +304,10 @@ DelaunayRefinementLatticeOracle::FindComponent(const PointType & point) const
   const auto &    size = m_Mask->GetSize();
   for (const std::int32_t reach : { 0, 1, 2 })
   {
-    double        best = std::numeric_limits<double>::infinity();
-    ComponentType component = 0;
-    IndexType     first;
-    IndexType     last;
+    double    best = std::numeric_limits<double>::infinity();
+    IndexType nearest{};
+    IndexType first;
+    IndexType last;
     for (unsigned int i = 0; i < 3; ++i)
     {
       const auto voxel = static_cast<std::int32_t>(std::floor(std::clamp(lattice[i], 0.0, size[i] + 1.0))) - 1;
@@ -310,14 +324,14 @@ DelaunayRefinementLatticeOracle::FindComponent(const PointType & point) const
           if (squared < best && m_Mask->Get(x, y, z))
           {
             best = squared;
-            component = m_Components->Find(x, y, z);
+            nearest = { x, y, z };
           }
         }
       }
     }
     if (best < std::numeric_limits<double>::infinity())
     {
-      return component;
+      return m_Components->Find(nearest[0], nearest[1], nearest[2]);
     }
   }
   return 0;

@@ -31,11 +31,33 @@ using PointType = DelaunayRefinementPoint;
 /** Patches of this level are single cells; those of level 0 are bricks. */
 constexpr unsigned int CellLevel = 2;
 
+/** A cube within a cell. */
+struct PlaceType
+{
+  std::array<std::int32_t, 3> cell;
+  PointType                   corner;
+  double                      size;
+};
+
 /** In voxels. */
 double
 GetPatchSize(unsigned int level)
 {
   return static_cast<double>(DelaunayRefinementBricks::BrickSize) / static_cast<double>(std::uint64_t{ 1 } << level);
+}
+
+PlaceType
+ToPlace(const std::array<std::int32_t, 3> & index, unsigned int level)
+{
+  const unsigned int shift = level - CellLevel;
+  PlaceType          place;
+  place.size = GetPatchSize(level);
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    place.cell[i] = index[i] >> shift;
+    place.corner[i] = index[i] * place.size - place.cell[i];
+  }
+  return place;
 }
 
 /** Three numbers in [0, 1) that depend on the arguments alone. */
@@ -78,14 +100,20 @@ DelaunayRefinementLatticeOracle::GetSurfacePatches() const
 void
 DelaunayRefinementLatticeOracle::SplitSurfacePatch(const SurfacePatch & patch, std::vector<SurfacePatch> & parts) const
 {
+  unsigned int octants = 0xFFu;
+  if (patch.level >= CellLevel)
+  {
+    const PlaceType place = ToPlace(patch.index, patch.level);
+    octants = this->FindOctants(place.cell, place.corner, place.size);
+  }
   for (std::int32_t child = 0; child < 8; ++child)
   {
     SurfacePatch part;
-    if (this->MakePatch({ 2 * patch.index[0] + (child & 1),
-                          2 * patch.index[1] + (child >> 1 & 1),
-                          2 * patch.index[2] + (child >> 2) },
-                        patch.level + 1u,
-                        part))
+    if ((octants >> child & 1u) && this->MakePatch({ 2 * patch.index[0] + (child & 1),
+                                                     2 * patch.index[1] + (child >> 1 & 1),
+                                                     2 * patch.index[2] + (child >> 2) },
+                                                   patch.level + 1u,
+                                                   part))
     {
       parts.push_back(part);
     }
@@ -152,17 +180,17 @@ DelaunayRefinementLatticeOracle::MakePatch(const IndexType & index, unsigned int
   }
   else
   {
-    const unsigned int shift = level - CellLevel;
-    const IndexType    cell{ index[0] >> shift, index[1] >> shift, index[2] >> shift };
-    if (!m_Bricks->IsActiveCell(cell))
+    unsigned int octants = 0xFFu;
+    if (level == CellLevel)
     {
-      return false;
-    }
-    const PointType    local{ index[0] * size - cell[0], index[1] * size - cell[1], index[2] * size - cell[2] };
-    const unsigned int octants = this->FindOctants(cell, local, size);
-    if (octants == 0)
-    {
-      return false;
+      if (!m_Bricks->IsActiveCell(index))
+      {
+        return false;
+      }
+      if (m_Model == ModelEnum::INDICATOR || m_Model == ModelEnum::GREY)
+      {
+        octants = this->FindOctants(index, { 0.0, 0.0, 0.0 }, 1.0);
+      }
     }
     // The bounds of the octants with surface.
     constexpr unsigned int lower[3] = { 0x55u, 0x33u, 0x0Fu };
@@ -178,7 +206,16 @@ DelaunayRefinementLatticeOracle::MakePatch(const IndexType & index, unsigned int
     }
   }
   patch.center = this->ToPhysical(center);
-  patch.radius = this->GetGreatestLength(extents);
+  if (extents[0] == half && extents[1] == half && extents[2] == half)
+  {
+    patch.radius = half * m_CubeRadius;
+    patch.halfExtents = { half * m_CubeHalfExtents[0], half * m_CubeHalfExtents[1], half * m_CubeHalfExtents[2] };
+  }
+  else
+  {
+    patch.radius = this->GetGreatestLength(extents);
+    patch.halfExtents = this->GetHalfExtents(extents);
+  }
   patch.index = index;
   patch.level = static_cast<std::uint8_t>(level);
   return true;
@@ -189,9 +226,7 @@ DelaunayRefinementLatticeOracle::FindPointOfPatch(const SurfacePatch & patch, Po
 {
   const unsigned int level = patch.level;
   const PointType    random = Scatter(patch.index, level);
-  IndexType          cell;
-  PointType          local{};
-  double             size = 1.0;
+  PlaceType          place{ {}, {}, 1.0 };
   if (level < CellLevel)
   {
     // Some cell of those with surface.
@@ -206,28 +241,25 @@ DelaunayRefinementLatticeOracle::FindPointOfPatch(const SurfacePatch & patch, Po
       }
     }
     const std::int32_t chosen = bits[static_cast<std::int32_t>(random[0] * number)];
-    cell = { (patch.index[0] >> level << CellLevel) + (chosen & 3),
-             (patch.index[1] >> level << CellLevel) + (chosen >> 2 & 3),
-             (patch.index[2] >> level << CellLevel) + (chosen >> 4) };
+    place.cell = { (patch.index[0] >> level << CellLevel) + (chosen & 3),
+                   (patch.index[1] >> level << CellLevel) + (chosen >> 2 & 3),
+                   (patch.index[2] >> level << CellLevel) + (chosen >> 4) };
   }
   else
   {
-    const unsigned int shift = level - CellLevel;
-    size = GetPatchSize(level);
-    for (unsigned int i = 0; i < 3; ++i)
-    {
-      cell[i] = patch.index[i] >> shift;
-      local[i] = patch.index[i] * size - cell[i];
-    }
+    place = ToPlace(patch.index, level);
   }
-  const PointType start{ local[0] + random[0] * size, local[1] + random[1] * size, local[2] + random[2] * size };
+  const PointType start{ place.corner[0] + random[0] * place.size,
+                         place.corner[1] + random[1] * place.size,
+                         place.corner[2] + random[2] * place.size };
   PointType       found;
-  if (!this->VisitCell(
-        cell, [&](const auto & content) { return FindSurfacePointInCube(content, local, size, start, found); }))
+  if (!this->VisitCell(place.cell, [&](const auto & content) {
+        return FindSurfacePointInCube(content, place.corner, place.size, start, found);
+      }))
   {
     return false;
   }
-  point = this->ToPhysical(PointType{ found[0] + cell[0], found[1] + cell[1], found[2] + cell[2] });
+  point = this->ToPhysical(PointType{ found[0] + place.cell[0], found[1] + place.cell[1], found[2] + place.cell[2] });
   return true;
 }
 } // end namespace itk

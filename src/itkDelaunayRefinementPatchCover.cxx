@@ -42,7 +42,7 @@ DelaunayRefinementPatchCover::DelaunayRefinementPatchCover(std::vector<EntryType
   PointType maximum = m_Minimum;
   for (const EntryType & entry : entries)
   {
-    m_GreatestReach = std::max(m_GreatestReach, entry.reach);
+    m_GreatestReach = std::max(m_GreatestReach, entry.delta);
     for (unsigned int i = 0; i < 3; ++i)
     {
       m_Minimum[i] = std::min(m_Minimum[i], entry.patch.center[i]);
@@ -75,15 +75,11 @@ DelaunayRefinementPatchCover::DelaunayRefinementPatchCover(std::vector<EntryType
     m_Starts[cube] += m_Starts[cube - 1];
   }
   std::vector<std::uint32_t> next(m_Starts.begin(), m_Starts.end() - 1);
-  m_Balls.resize(entries.size());
-  m_Patches.resize(entries.size());
+  m_Entries.resize(entries.size());
   m_IsCovered.assign(entries.size(), 0);
   for (std::size_t i = 0; i < entries.size(); ++i)
   {
-    const std::uint32_t place = next[cubes[i]]++;
-    const double        reach = entries[i].reach;
-    m_Balls[place] = { entries[i].patch.center, reach > 0.0 ? reach * reach : -1.0 };
-    m_Patches[place] = entries[i].patch;
+    m_Entries[next[cubes[i]]++] = entries[i];
   }
 }
 
@@ -102,7 +98,7 @@ DelaunayRefinementPatchCover::FindCube(const PointType & point, double offset) c
 void
 DelaunayRefinementPatchCover::CoverFrom(const PointType & vertex)
 {
-  if (m_Patches.empty())
+  if (m_Entries.empty())
   {
     return;
   }
@@ -115,7 +111,7 @@ DelaunayRefinementPatchCover::CoverFrom(const PointType & vertex)
       const std::uint32_t end = m_Starts[this->ToOffset({ last[0], y, z }) + 1];
       for (std::uint32_t i = m_Starts[this->ToOffset({ first[0], y, z })]; i < end; ++i)
       {
-        if (Geometry::SquaredDistance(vertex, m_Balls[i].center) <= m_Balls[i].squaredReach)
+        if (IsWithin(m_Entries[i].patch, m_Entries[i].delta, vertex))
         {
           m_IsCovered[i] = 1;
         }

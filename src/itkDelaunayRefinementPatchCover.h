@@ -24,7 +24,7 @@
 namespace itk
 {
 /** \class DelaunayRefinementPatchCover
- * \brief Patches of the surface in a grid of cubes, each marked once it is covered: within its reach of a vertex.
+ * \brief Patches of the surface in a grid of cubes, each marked once it is covered: within delta of a vertex.
  *
  * \ingroup DelaunayRefinement
  */
@@ -34,12 +34,27 @@ public:
   using PointType = DelaunayRefinementPoint;
   using PatchType = DelaunayRefinementOracle::SurfacePatch;
 
-  /** A patch is covered by a vertex within \c reach of its center; not by one alone if that is negative. */
+  /** A patch is covered by a vertex within \c delta of all of it. */
   struct EntryType
   {
     PatchType patch;
-    double    reach;
+    double    delta;
   };
+
+  /** Whether all of a patch is within delta of a point. */
+  static bool
+  IsWithin(const PatchType & patch, double delta, const PointType & point)
+  {
+    const double reach = delta - patch.radius;
+    const double x = std::abs(point[0] - patch.center[0]);
+    const double y = std::abs(point[1] - patch.center[1]);
+    const double z = std::abs(point[2] - patch.center[2]);
+    const double furthestX = x + patch.halfExtents[0];
+    const double furthestY = y + patch.halfExtents[1];
+    const double furthestZ = z + patch.halfExtents[2];
+    return furthestX * furthestX + furthestY * furthestY + furthestZ * furthestZ <= delta * delta ||
+           (reach > 0.0 && x * x + y * y + z * z <= reach * reach);
+  }
 
   /** Sorts the entries by cubes. */
   explicit DelaunayRefinementPatchCover(std::vector<EntryType> entries);
@@ -47,13 +62,13 @@ public:
   std::size_t
   GetNumberOfPatches() const
   {
-    return m_Patches.size();
+    return m_Entries.size();
   }
 
   const PatchType &
   GetPatch(std::size_t number) const
   {
-    return m_Patches[number];
+    return m_Entries[number].patch;
   }
 
   bool
@@ -75,12 +90,6 @@ public:
 private:
   using CubeType = std::array<std::int32_t, 3>;
 
-  struct BallType
-  {
-    PointType center;
-    double    squaredReach;
-  };
-
   /** Points beyond the grid belong to the cubes at its border. */
   CubeType
   FindCube(const PointType & point, double offset) const;
@@ -96,8 +105,7 @@ private:
   PointType                  m_Minimum{};
   CubeType                   m_Size{};
   std::vector<std::uint32_t> m_Starts{}; // of each cube's patches, and the end
-  std::vector<BallType>      m_Balls{};
-  std::vector<PatchType>     m_Patches{};
+  std::vector<EntryType>     m_Entries{};
   std::vector<char>          m_IsCovered{};
 };
 } // end namespace itk

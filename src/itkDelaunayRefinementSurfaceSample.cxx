@@ -39,7 +39,7 @@ constexpr double SmallestPatch = 1e-5;
 constexpr std::size_t VisitsBetweenQuestions = 16384;
 
 /** Patches no larger than this share of delta are sampled in a random order, which keeps the sample sparse. */
-constexpr double SampledPatch = 0.45;
+constexpr double SampledPatch = 0.75;
 
 /** A part is sampled if its center is no further than this share of its radius inside the covered part of space. */
 constexpr double HopefulShare = 0.35;
@@ -114,7 +114,7 @@ DelaunayRefinementSurfaceSample::CollectPatches(std::vector<DelaunayRefinementPa
       }
       else
       {
-        entries.push_back({ top, delta - top.radius });
+        entries.push_back({ top, delta });
       }
     }
   }
@@ -163,32 +163,36 @@ DelaunayRefinementSurfaceSample::CoverByParts(const PatchType &              pat
     const PatchType part = m_Stack.back();
     m_Stack.pop_back();
     const double delta = this->GetLeastDelta(part, isUniform);
-    double       squaredNearest = std::numeric_limits<double>::infinity();
+    const auto   covering = std::find_if(m_Nearby.begin(), m_Nearby.end(), [&](const PointType & vertex) {
+      return DelaunayRefinementPatchCover::IsWithin(part, delta, vertex);
+    });
+    if (covering != m_Nearby.end())
+    {
+      // Likely to cover the next part, too.
+      std::iter_swap(m_Nearby.begin(), covering);
+      continue;
+    }
+    double squaredNearest = std::numeric_limits<double>::infinity();
     for (const PointType & vertex : m_Nearby)
     {
       squaredNearest = std::min(squaredNearest, Geometry::SquaredDistance(part.center, vertex));
     }
-    const auto isWithin = [&](double reach) { return reach > 0.0 && squaredNearest <= reach * reach; };
-    if (isWithin(delta - part.radius))
-    {
-      continue;
-    }
     // Points of a part whose center is well covered are likely to be too near.
-    if (!isWithin(delta - HopefulShare * part.radius) || part.radius < SmallestPatch * delta)
+    const double hopeful = delta - HopefulShare * part.radius;
+    if (!(hopeful > 0.0 && squaredNearest <= hopeful * hopeful) || part.radius < SmallestPatch * delta)
     {
       const OutcomeEnum outcome = this->Sample(part, isUniform, cover);
-      if (outcome == OutcomeEnum::DONE)
-      {
-        continue;
-      }
       if (outcome == OutcomeEnum::INSERTED)
       {
         m_Nearby.push_back(m_NewPoints.back());
-        squaredNearest = Geometry::SquaredDistance(part.center, m_NewPoints.back());
-        if (isWithin(delta - part.radius))
+        if (DelaunayRefinementPatchCover::IsWithin(part, delta, m_NewPoints.back()))
         {
           continue;
         }
+      }
+      if (outcome == OutcomeEnum::DONE)
+      {
+        continue;
       }
     }
     m_Oracle.SplitSurfacePatch(part, m_Stack);

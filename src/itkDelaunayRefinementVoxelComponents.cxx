@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "itkDelaunayRefinementVoxelComponents.h"
 
+#include "itkDelaunayRefinementBits.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -46,12 +48,7 @@ FindBit(const std::uint64_t * words, std::int32_t from, std::int32_t end, bool v
     const std::uint64_t word = (value ? words[from >> 6] : ~words[from >> 6]) >> (from & 63);
     if (word != 0)
     {
-      std::int32_t offset = 0;
-      while (!(word >> offset & 1u))
-      {
-        ++offset;
-      }
-      return std::min(end, from + offset);
+      return std::min(end, from + static_cast<std::int32_t>(FindDelaunayRefinementBit(word)));
     }
     from = (from | 63) + 1;
   }

@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "itkDelaunayRefinementVoxelMask.h"
 
+#include "itkDelaunayRefinementBits.h"
+
 namespace itk
 {
 DelaunayRefinementVoxelMask::DelaunayRefinementVoxelMask(const SizeType & size)
@@ -60,12 +62,9 @@ std::size_t
 DelaunayRefinementVoxelMask::Count() const
 {
   std::size_t count = 0;
-  for (std::uint64_t word : m_Words)
+  for (const std::uint64_t word : m_Words)
   {
-    for (; word != 0; word &= word - 1)
-    {
-      ++count;
-    }
+    count += CountDelaunayRefinementBits(word);
   }
   return count;
 }

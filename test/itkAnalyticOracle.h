@@ -231,7 +231,7 @@ private:
     {
       return;
     }
-    patches.push_back({ boxCenter, Norm(corner), index, level });
+    patches.push_back({ boxCenter, Norm(corner), corner, index, level });
   }
 
   double m_HalfWidth;

@@ -100,6 +100,30 @@ TEST(DelaunayRefinementMeshFilterComponents, MinimumSize)
   ExpectError(filter.GetPointer(), { "MinimumComponentSize" });
 }
 
+TEST(DelaunayRefinementMeshFilterComponents, DeltaIsNotLoweredForAThinTip)
+{
+  // The first voxels are the tip of a needle that grows out of a block.
+  std::vector<std::array<int, 3>> voxels{ { 9, 9, 2 }, { 9, 9, 3 } };
+  for (int z = 4; z < 16; ++z)
+  {
+    for (int y = 3; y < 16; ++y)
+    {
+      for (int x = 3; x < 16; ++x)
+      {
+        voxels.push_back({ x, y, z });
+      }
+    }
+  }
+  const auto image = MakeVoxels(20, voxels);
+  for (const double delta : { 1.0, 2.0 })
+  {
+    const auto filter = MakeFilter(image.GetPointer(), delta);
+    filter->Update();
+    EXPECT_TRUE(filter->GetWarnings().empty()) << filter->GetWarnings().front();
+    EXPECT_GE(filter->GetComponents().front().inscribedRadius, delta);
+  }
+}
+
 TEST(DelaunayRefinementMeshFilterComponents, NoneOfEightVoxelsIsLost)
 {
   // 27 blocks of 2 x 2 x 2 voxels, a bar and a large block, at a delta larger than all of them.

@@ -265,9 +265,8 @@ ExpectPatchesCoverSurface(const DelaunayRefinementOracle & oracle,
       PointType point;
       if (oracle.FindPointOfPatch(patch, point))
       {
-        const PointType offset{ patch.radius, patch.radius, patch.radius };
         filled.push_back(patch);
-        boxes.push_back({ Subtract(patch.center, offset), Add(patch.center, offset) });
+        boxes.push_back({ Subtract(patch.center, patch.halfExtents), Add(patch.center, patch.halfExtents) });
         const bool isStray = Distance(point, patch.center) > patch.radius + tolerance;
         numberOfStrayPoints += isStray || !IsOnSurface(oracle, point, tolerance) ? 1 : 0;
       }
