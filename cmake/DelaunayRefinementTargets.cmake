@@ -60,3 +60,16 @@ function(delaunay_refinement_warnings target)
     target_compile_options(${target} PRIVATE /WX)
   endif()
 endfunction()
+
+# The programs of examples/ need modules of ITK that an ITK of one's own may
+# lack, so that they are built with these only when asked for.
+macro(delaunay_refinement_add_examples default)
+  option(
+    DelaunayRefinement_BUILD_EXAMPLES
+    "Build the programs in examples/, mesh-image among them"
+    ${default}
+  )
+  if(DelaunayRefinement_BUILD_EXAMPLES)
+    add_subdirectory(examples)
+  endif()
+endmacro()
