@@ -57,6 +57,7 @@ public:
   DelaunayRefinementResult
   TakeResult();
 
+  /** Counts and times of Run(); its reason is NO_SURFACE_FOUND before. */
   const DelaunayRefinementStatistics &
   GetStatistics() const;
 

@@ -56,6 +56,8 @@ public:
     CELL_SIZE,
     SHAPE
   };
+
+  /** Length of lists by RefinementRule. */
   static constexpr unsigned int NumberOfRefinementRules = 7;
 
   /** How a circumcenter on or outside the box was replaced (paper, section III, E1 to E3). */
@@ -66,6 +68,8 @@ public:
     E2,
     E3
   };
+
+  /** Length of lists by EncroachmentCase. */
   static constexpr unsigned int NumberOfEncroachmentCases = 4;
 
   /** Why the refinement ended. Only COMPLETED comes with a mesh. */

@@ -46,6 +46,7 @@ public:
     , m_RowLength(rowLength)
   {}
 
+  /** Whether a pixel is not a number. */
   bool
   HasNaN() const
   {
@@ -59,6 +60,7 @@ public:
     }
   }
 
+  /** The least and the greatest value. */
   std::pair<TPixel, TPixel>
   FindRange() const
   {

@@ -49,6 +49,7 @@ class DelaunayRefinementBricks;
 class DelaunayRefinement_EXPORT DelaunayRefinementLatticeOracle : public DelaunayRefinementOracle
 {
 public:
+  /** What lies between the voxels, see above. */
   enum class ModelEnum : uint8_t
   {
     INDICATOR,
@@ -60,7 +61,9 @@ public:
   /** Where the voxels' centers are: origin + x * axes[0] + y * axes[1] + z * axes[2]. */
   struct FrameType
   {
-    PointType                origin;
+    /** Center of the first voxel (mm). */
+    PointType origin;
+    /** From a voxel's center to that of its next neighbor along each axis (mm). */
     std::array<PointType, 3> axes;
   };
 

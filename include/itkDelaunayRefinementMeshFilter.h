@@ -67,106 +67,158 @@ class ITK_TEMPLATE_EXPORT DelaunayRefinementMeshFilter : public ImageToMeshFilte
 public:
   ITK_DISALLOW_COPY_AND_MOVE(DelaunayRefinementMeshFilter);
 
+  /** Standard class type aliases. */
+  /** @ITKStartGrouping */
   using Self = DelaunayRefinementMeshFilter;
   using Superclass = ImageToMeshFilter<TInputImage, TOutputMesh>;
   using Pointer = SmartPointer<Self>;
   using ConstPointer = SmartPointer<const Self>;
+  /** @ITKEndGrouping */
 
+  /** Method for creation through the object factory. */
   itkNewMacro(Self);
+
+  /** Run-time type information. */
   itkTypeMacro(DelaunayRefinementMeshFilter, ImageToMeshFilter);
 
+  /** The image: 3D, with scalar pixels; integers if they are labels. */
+  /** @ITKStartGrouping */
   using InputImageType = TInputImage;
   using InputPixelType = typename TInputImage::PixelType;
+  /** @ITKEndGrouping */
+
+  /** The type of both outputs; its cell data hold the labels. */
   using OutputMeshType = TOutputMesh;
+
+  /** What may stand between the pixels. */
   using InterpolatorType = InterpolateImageFunction<TInputImage, double>;
+
+  /** A list of pixel values. */
   using LabelsType = std::vector<InputPixelType>;
 
+  /** Dimension of the image; Update() throws if it is not 3. */
   static constexpr unsigned int ImageDimension = TInputImage::ImageDimension;
 
-  /** The triangles of the mesh's boundary, in physical space, with the label inside as cell data. */
+  /** The triangles of the mesh's boundary, in physical space, counterclockwise as seen from outside, with the label
+   * inside as cell data. Empty before the first Update(). */
   OutputMeshType *
   GetBoundaryOutput();
 
-  /** Sampling density of the surface, in physical units (mm); positive and finite. Unset, it is chosen from the spacing
-   * and the size of the object so that the mesh has some 300,000 tetrahedra at most; GetEffectiveDelta() tells the
-   * choice. Paper, section III. */
+  /** Sampling density of the surface, the paper's delta (section III), in physical units (mm): no point of the surface
+   * is farther from a vertex on the surface. Positive and finite, else Update() throws. Unset, the default, it is
+   * chosen from the spacing and the size of the object so that the mesh has some 300,000 tetrahedra at most;
+   * GetEffectiveDelta() tells the choice. GetDelta() is 0 if it is unset. */
+  /** @ITKStartGrouping */
   void
   SetDelta(double delta);
-  /** 0 if unset. */
   itkGetConstMacro(Delta, double);
   void
   UnsetDelta();
+  /** @ITKEndGrouping */
 
-  /** Upper bound on the ratio of circumradius to shortest edge of every tetrahedron. At least 1, default 2. Below 2 the
-   * boundary may have vertices off the surface (paper, Lemma 5). */
+  /** Upper bound on the ratio of circumradius to shortest edge of every tetrahedron, a number without unit: the paper's
+   * rho bar (rule R4 and Theorem 2). Finite and at least 1, else Update() throws; default 2. Below 2 the boundary may
+   * have vertices off the surface (Lemma 5). */
+  /** @ITKStartGrouping */
   itkSetMacro(RadiusEdgeRatioBound, double);
   itkGetConstMacro(RadiusEdgeRatioBound, double);
+  /** @ITKEndGrouping */
 
-  /** Upper bound on the circumradius of tetrahedra, in physical units (mm). Positive; default infinity: no bound. */
+  /** Upper bound on the circumradius of tetrahedra, in physical units (mm). Positive, else Update() throws; default
+   * infinity: no bound. Not in the paper. */
+  /** @ITKStartGrouping */
   itkSetMacro(CellSize, double);
   itkGetConstMacro(CellSize, double);
+  /** @ITKEndGrouping */
 
   /** Tetrahedra with a dihedral angle below this, in degrees, are split at their circumcenters as long as that keeps
-   * edges above a quarter of Delta: rule R4' of the paper's section VI-B. In [0, 60); default 0: off. */
+   * edges above a quarter of Delta: rule R4' of the paper's section VI-B. At least 0 and below 60, else Update()
+   * throws; default 0: off. No angle is guaranteed. The mesh grows with it, beyond some 15 degrees by far. */
+  /** @ITKStartGrouping */
   itkSetMacro(MinimumDihedralAngle, double);
   itkGetConstMacro(MinimumDihedralAngle, double);
+  /** @ITKEndGrouping */
 
   /** Rule R2, with E1 to E3, is also applied to tetrahedra whose circumcenter is outside the object, as in the paper
    * (section III). No guarantee needs it, and the run takes about twice as long. Default off. */
+  /** @ITKStartGrouping */
   itkSetMacro(RefineOutside, bool);
   itkGetConstMacro(RefineOutside, bool);
   itkBooleanMacro(RefineOutside);
+  /** @ITKEndGrouping */
 
   /** The filter gives up with an exception before the triangulation (vertices outside the object included) has more
-   * vertices. Positive; default: no limit. */
+   * vertices. Positive, else Update() throws; default: the largest number, no limit. Not in the paper. */
+  /** @ITKStartGrouping */
   itkSetMacro(MaximumNumberOfVertices, SizeValueType);
   itkGetConstMacro(MaximumNumberOfVertices, SizeValueType);
+  /** @ITKEndGrouping */
 
-  /** Defines the object by an iso value, in pixel values: inside is where the interpolated value is at or above. */
+  /** Defines the object by an iso value, in pixel values: inside is where the interpolated value is at or above it.
+   * Finite, else Update() throws, as it does if another definition is set. Unset by default, GetIsoValue() is 0 then.
+   */
+  /** @ITKStartGrouping */
   void
   SetIsoValue(double value);
   itkGetConstMacro(IsoValue, double);
+  /** @ITKEndGrouping */
 
-  /** Defines the object by a range of pixel values, both ends included. One end may be left unset. */
+  /** Defines the object by a range of pixel values, both ends included. One end may be left unset, and is infinite
+   * then, which is the default of both. Update() throws if the lower one is above the upper one, if one is NaN, or if
+   * another definition is set. */
+  /** @ITKStartGrouping */
   void
   SetLowerThreshold(double value);
   itkGetConstMacro(LowerThreshold, double);
   void
   SetUpperThreshold(double value);
   itkGetConstMacro(UpperThreshold, double);
+  /** @ITKEndGrouping */
 
-  /** Defines the object by labels, all other pixel values being outside. Empty, the default: every value but 0. */
+  /** Defines the object by labels, pixel values above 0; all others are outside. Empty, the default: every value but 0.
+   * Update() throws if there is no pixel of a label, if there are several labels without MergeLabels, or if another
+   * definition is set. */
+  /** @ITKStartGrouping */
   void
   SetLabels(const LabelsType & labels);
   itkGetConstReferenceMacro(Labels, LabelsType);
+  /** @ITKEndGrouping */
 
-  /** Back to the default definition: every label but 0. */
+  /** Unsets the iso value, the thresholds and the labels: back to every label but 0. */
   void
   UnsetObjectDefinition();
 
-  /** Several labels are meshed as one object. Default off: several labels are an error. */
+  /** Several labels are meshed as one object, whose label is 1. Default off: several labels are an error. */
+  /** @ITKStartGrouping */
   itkSetMacro(MergeLabels, bool);
   itkGetConstMacro(MergeLabels, bool);
   itkBooleanMacro(MergeLabels);
+  /** @ITKEndGrouping */
 
   /** Only the 18-connected component of the object with the most voxels is meshed. Default off. */
+  /** @ITKStartGrouping */
   itkSetMacro(LargestComponentOnly, bool);
   itkGetConstMacro(LargestComponentOnly, bool);
   itkBooleanMacro(LargestComponentOnly);
+  /** @ITKEndGrouping */
 
-  /** 18-connected components with fewer voxels are left out. Default 1: none is. Components of fewer than 8 voxels are
-   * also left out, and named in the warnings, where Delta is more than 1.4 times the smallest spacing, unless the
-   * object has no other. */
+  /** 18-connected components with fewer voxels are left out; Update() throws if that leaves none. Default 1: none is
+   * left out. Components of fewer than 8 voxels are also left out, and named in the warnings, where Delta is more
+   * than 1.4 times the smallest spacing, unless the object has no other. */
+  /** @ITKStartGrouping */
   itkSetMacro(MinimumComponentSize, SizeValueType);
   itkGetConstMacro(MinimumComponentSize, SizeValueType);
+  /** @ITKEndGrouping */
 
-  /** The interpolator of the indicator or of the grey values. Default: linear. One that is neither linear nor nearest
-   * neighbor is given an input image by the filter; after a change of its own
-   * parameters call Modified() on the filter. */
+  /** The interpolator of the indicator or of the grey values, part of the paper's function f (section II). Default:
+   * linear, also if it is null. One that is neither linear nor nearest neighbor is given an input image by the filter;
+   * after a change of its own parameters call Modified() on the filter. */
+  /** @ITKStartGrouping */
   itkSetObjectMacro(Interpolator, InterpolatorType);
   itkGetModifiableObjectMacro(Interpolator, InterpolatorType);
+  /** @ITKEndGrouping */
 
-  /** The delta of the last run: Delta, or the one that was chosen. */
+  /** The delta of the last run, in physical units (mm): Delta, or the one that was chosen. 0 before the first run. */
   itkGetConstMacro(EffectiveDelta, double);
 
   /** Counts and times of the last run, also of one that failed. */
@@ -189,15 +241,19 @@ protected:
   DelaunayRefinementMeshFilter();
   ~DelaunayRefinementMeshFilter() override = default;
 
+  /** Prints all parameters, and what is known of the last run. */
   void
   PrintSelf(std::ostream & os, Indent indent) const override;
 
+  /** Throws unless all parameters are in range and agree with each other. */
   void
   VerifyPreconditions() ITKv5_CONST override;
 
+  /** Does nothing: meshes have nothing to tell before they are made. */
   void
   GenerateOutputInformation() override;
 
+  /** Makes both meshes; throws if there is no object, or if the run does not end with a mesh. */
   void
   GenerateData() override;
 
@@ -258,8 +314,8 @@ private:
   bool                               m_DeltaIsSet{ false };
   double                             m_RadiusEdgeRatioBound{ 2.0 };
   double                             m_CellSize{ std::numeric_limits<double>::infinity() };
-  bool                               m_RefineOutside{ false };
   double                             m_MinimumDihedralAngle{ 0.0 };
+  bool                               m_RefineOutside{ false };
   SizeValueType                      m_MaximumNumberOfVertices{ NumericTraits<SizeValueType>::max() };
   double                             m_IsoValue{ 0.0 };
   bool                               m_IsoValueIsSet{ false };

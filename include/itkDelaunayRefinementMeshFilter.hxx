@@ -768,8 +768,8 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::PrintSelf(std::ostream &
   os << indent << "MinimumComponentSize: " << m_MinimumComponentSize << '\n';
   itkPrintSelfObjectMacro(Interpolator);
   os << indent << "EffectiveDelta: " << m_EffectiveDelta << '\n';
-  os << indent << "TerminationReason: " << m_Statistics.terminationReason << '\n';
-  os << indent << "NumberOfComponents: " << m_Components.size() << '\n';
+  os << indent << "Statistics: " << m_Statistics << '\n';
+  os << indent << "Components: " << m_Components.size() << '\n';
   os << indent << "Warnings:\n";
   for (const std::string & warning : m_Warnings)
   {

@@ -36,6 +36,7 @@ namespace itk
 class DelaunayRefinement_EXPORT DelaunayRefinementOracle
 {
 public:
+  /** A point of physical space (mm). */
   using PointType = DelaunayRefinementPoint;
 
   /** 0 is outside; the regions of the object are numbered from 1. */
@@ -47,20 +48,25 @@ public:
   /** An axis-aligned box. */
   struct BoundsType
   {
+    /** Least coordinates (mm). */
     PointType minimum;
+    /** Greatest coordinates (mm). */
     PointType maximum;
   };
 
   /** A piece of the surface. */
   struct SurfacePatch
   {
-    /** The whole piece lies within \c radius of \c center, and in the box that extends by \c halfExtents from it. */
+    /** The whole piece lies within \c radius of \c center, and in the box that extends by \c halfExtents from it (mm). */
     PointType center;
-    double    radius;
+    /** Of a ball around \c center (mm). */
+    double radius;
+    /** Of a box around \c center (mm). */
     PointType halfExtents;
     /** Which piece it is, for the oracle. */
     std::array<std::int32_t, 3> index;
-    std::uint8_t                level;
+    /** How often it was split, for the oracle. */
+    std::uint8_t level;
   };
 
   virtual ~DelaunayRefinementOracle();

@@ -84,18 +84,22 @@ struct DelaunayRefinementStatistics
    */
   std::array<std::size_t, DelaunayRefinementEnums::NumberOfEncroachmentCases> encroachments{};
 
-  /** Vertices removed around new feature vertices, and by the encroachment cases. */
+  /** Vertices removed around new feature vertices. */
   std::size_t removals{ 0 };
+
+  /** Vertices removed by the encroachment cases. */
   std::size_t encroachmentRemovals{ 0 };
 
   /** Vertices of the final triangulation, those outside the mesh included, by DelaunayRefinementEnums::VertexKind. */
   std::array<std::size_t, 4> vertices{};
 
-  /** Seconds of wall time: surface sampling, bulk insertion, refinement, extraction. */
+  /** Seconds of wall time of a phase: surface sampling, bulk insertion, refinement, extraction. */
+  /** @ITKStartGrouping */
   double samplingSeconds{ 0.0 };
   double insertionSeconds{ 0.0 };
   double refinementSeconds{ 0.0 };
   double extractionSeconds{ 0.0 };
+  /** @ITKEndGrouping */
 
   /** Components of the object, by the oracle's number, in which no tetrahedron has its circumcenter. */
   std::vector<std::uint32_t> missingComponents{};
@@ -103,10 +107,15 @@ struct DelaunayRefinementStatistics
   /** For each component for which delta was lowered: its number and the delta that was used. */
   std::vector<std::pair<std::uint32_t, double>> loweredDeltas{};
 
+  /** Why the run ended. */
   DelaunayRefinementEnums::TerminationReason terminationReason{
     DelaunayRefinementEnums::TerminationReason::NO_SURFACE_FOUND
   };
 };
+
+/** All of them on one line. */
+extern DelaunayRefinement_EXPORT std::ostream &
+                                 operator<<(std::ostream & out, const DelaunayRefinementStatistics & statistics);
 
 /** \class DelaunayRefinementResult
  * \brief The tetrahedra whose circumcenters are inside the object (paper, section III), and their boundary.

@@ -35,27 +35,39 @@ namespace itk
 class DelaunayRefinement_EXPORT DelaunayRefinementVoxelComponents
 {
 public:
+  /** A voxel: x, y, z from the image's first voxel. */
   using IndexType = std::array<std::int32_t, 3>;
+  /** Components are numbered from 0. */
   using ComponentType = std::uint32_t;
 
   /** Voxels first to last (included) of one row. */
   struct RunType
   {
-    std::int32_t  first;
-    std::int32_t  last;
+    /** Its first voxel's x. */
+    std::int32_t first;
+    /** Its last voxel's x. */
+    std::int32_t last;
+    /** The component it belongs to. */
     ComponentType component;
   };
 
+  /** What is known of a component. */
   struct ComponentInfoType
   {
+    /** Size in voxels. */
     std::size_t numberOfVoxels;
-    IndexType   firstVoxel;
-    IndexType   minimum;
-    IndexType   maximum;
+    /** The first in the order of the image. */
+    IndexType firstVoxel;
+    /** Least index along each axis. */
+    IndexType minimum;
+    /** Greatest index along each axis. */
+    IndexType maximum;
   };
 
+  /** Finds the components of a mask. */
   explicit DelaunayRefinementVoxelComponents(const DelaunayRefinementVoxelMask & mask);
 
+  /** All components, by their numbers. */
   const std::vector<ComponentInfoType> &
   GetComponents() const
   {

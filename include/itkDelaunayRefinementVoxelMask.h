@@ -38,8 +38,10 @@ namespace itk
 class DelaunayRefinement_EXPORT DelaunayRefinementVoxelMask
 {
 public:
+  /** Number of voxels along x, y, z. */
   using SizeType = std::array<std::int32_t, 3>;
 
+  /** All voxels are outside. */
   explicit DelaunayRefinementVoxelMask(const SizeType & size);
 
   /** Number of voxels along each axis. */
@@ -111,6 +113,7 @@ public:
     return m_Words.data() + m_WordsPerRow * (static_cast<std::size_t>(paddedZ) * (m_Size[1] + 2) + paddedY);
   }
 
+  /** Number of words of each row. */
   std::size_t
   GetWordsPerRow() const
   {

@@ -34,6 +34,7 @@ namespace itk
 template <typename TPixel>
 struct DelaunayRefinementObject
 {
+  /** The kinds of objects. */
   enum class DefinitionEnum : uint8_t
   {
     NON_ZERO,
@@ -42,16 +43,19 @@ struct DelaunayRefinementObject
     ISO_VALUE
   };
 
+  /** Which of them this one is. */
   DefinitionEnum definition{ DefinitionEnum::NON_ZERO };
 
   /** LABELS: the labels, ascending. */
   std::vector<TPixel> labels{};
 
-  /** THRESHOLD: the range, both ends included. */
+  /** THRESHOLD: an end of the range, which belongs to it, in pixel values. */
+  /** @ITKStartGrouping */
   double lower{ -std::numeric_limits<double>::infinity() };
   double upper{ std::numeric_limits<double>::infinity() };
+  /** @ITKEndGrouping */
 
-  /** ISO_VALUE: inside is at or above. */
+  /** ISO_VALUE: inside is at or above, in pixel values. */
   double isoValue{ 0.0 };
 
   /** Components with fewer voxels are left out. */
@@ -79,10 +83,13 @@ class ITK_TEMPLATE_EXPORT ImageDelaunayRefinementOracle : public DelaunayRefinem
 public:
   static_assert(TImage::ImageDimension == 3, "Only images of dimension 3 can be meshed.");
 
+  /** The image and what belongs to it. */
+  /** @ITKStartGrouping */
   using ImageType = TImage;
   using PixelType = typename TImage::PixelType;
   using InterpolatorType = InterpolateImageFunction<TImage, double>;
   using ObjectType = DelaunayRefinementObject<PixelType>;
+  /** @ITKEndGrouping */
 
   /** Takes the buffered region of the image. An interpolator other than linear and nearest neighbors has its input
    * image set to the image if the object is defined by an iso value, else to an indicator image made here. */

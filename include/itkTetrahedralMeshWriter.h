@@ -51,28 +51,41 @@ class ITK_TEMPLATE_EXPORT TetrahedralMeshWriter : public ProcessObject
 public:
   ITK_DISALLOW_COPY_AND_MOVE(TetrahedralMeshWriter);
 
+  /** Standard class type aliases. */
+  /** @ITKStartGrouping */
   using Self = TetrahedralMeshWriter;
   using Superclass = ProcessObject;
   using Pointer = SmartPointer<Self>;
   using ConstPointer = SmartPointer<const Self>;
+  /** @ITKEndGrouping */
 
+  /** Method for creation through the object factory. */
   itkNewMacro(Self);
+
+  /** Run-time type information. */
   itkTypeMacro(TetrahedralMeshWriter, ProcessObject);
 
+  /** A mesh of any traits; its cell data are numbers if they are to be written. */
   using MeshType = TMesh;
 
-  /** The mesh to be written. */
   using Superclass::SetInput;
+
+  /** The mesh to be written. None by default: Update() throws. */
+  /** @ITKStartGrouping */
   void
   SetInput(const MeshType * mesh);
   const MeshType *
   GetInput();
+  /** @ITKEndGrouping */
 
-  /** Name of the file, with a known extension. */
+  /** Name of the file, with a known extension. Empty by default: Update() throws. */
+  /** @ITKStartGrouping */
   itkSetStringMacro(FileName);
   itkGetStringMacro(FileName);
+  /** @ITKEndGrouping */
 
   /** Brings the mesh up to date and writes it. */
+  /** @ITKStartGrouping */
   void
   Write();
 
@@ -87,14 +100,17 @@ public:
   {
     this->Write();
   }
+  /** @ITKEndGrouping */
 
 protected:
   TetrahedralMeshWriter();
   ~TetrahedralMeshWriter() override = default;
 
+  /** Prints all parameters. */
   void
   PrintSelf(std::ostream & os, Indent indent) const override;
 
+  /** Flattens the mesh and writes it. */
   void
   GenerateData() override;
 
