@@ -33,9 +33,10 @@ namespace itk
 class DelaunayRefinementEnums
 {
 public:
-  /** What a vertex of the triangulation is (paper, section III). BOX_EDGE vertices lie on one of the 12 edges of the
-   * bounding box, BOX vertices in the inside of one of its 6 faces; FEATURE vertices lie on the surface of the object;
-   * FREE vertices are all others. */
+  /** \class VertexKind
+   * \brief What a vertex of the triangulation is (paper, section III). BOX_EDGE vertices lie on one of the 12 edges of
+   * the bounding box, BOX vertices in the inside of one of its 6 faces; FEATURE vertices lie on the surface of the
+   * object; FREE vertices are all others. */
   enum class VertexKind : uint8_t
   {
     BOX_EDGE,
@@ -44,7 +45,8 @@ public:
     FEATURE
   };
 
-  /** Why a vertex was inserted (paper, section III; R4_PRIME: section VI-B). CELL_SIZE is the user's bound on
+  /** \class RefinementRule
+   * \brief Why a vertex was inserted (paper, section III; R4_PRIME: section VI-B). CELL_SIZE is the user's bound on
    * circumradii, SHAPE replaces a vertex of a tetrahedron too flat to be stored. */
   enum class RefinementRule : uint8_t
   {
@@ -60,7 +62,8 @@ public:
   /** Length of lists by RefinementRule. */
   static constexpr unsigned int NumberOfRefinementRules = 7;
 
-  /** How a circumcenter on or outside the box was replaced (paper, section III, E1 to E3). */
+  /** \class EncroachmentCase
+   * \brief How a circumcenter on or outside the box was replaced (paper, section III, E1 to E3). */
   enum class EncroachmentCase : uint8_t
   {
     NONE,
@@ -72,7 +75,8 @@ public:
   /** Length of lists by EncroachmentCase. */
   static constexpr unsigned int NumberOfEncroachmentCases = 4;
 
-  /** Why the refinement ended. Only COMPLETED comes with a mesh. */
+  /** \class TerminationReason
+   * \brief Why the refinement ended. Only COMPLETED comes with a mesh. */
   enum class TerminationReason : uint8_t
   {
     COMPLETED,

@@ -49,7 +49,10 @@ class DelaunayRefinementBricks;
 class DelaunayRefinement_EXPORT DelaunayRefinementLatticeOracle : public DelaunayRefinementOracle
 {
 public:
-  /** What lies between the voxels, see above. */
+  /** \class ModelEnum
+   * \brief What lies between the voxels, see above.
+   * \ingroup DelaunayRefinement
+   */
   enum class ModelEnum : uint8_t
   {
     INDICATOR,

@@ -34,7 +34,10 @@ namespace itk
 template <typename TPixel>
 struct DelaunayRefinementObject
 {
-  /** The kinds of objects. */
+  /** \class DefinitionEnum
+   * \brief The kinds of objects.
+   * \ingroup DelaunayRefinement
+   */
   enum class DefinitionEnum : uint8_t
   {
     NON_ZERO,

@@ -55,7 +55,8 @@ constexpr unsigned int MostShapeCrossings = 32;
 constexpr unsigned int MaximumNumberOfShapeRounds = 20;
 } // namespace
 
-/** The loop over the rules, and all that it works on. */
+/** \class DelaunayRefinementEngine::Impl
+ * \brief The loop over the rules, and all that it works on. */
 class DelaunayRefinementEngine::Impl
 {
 public:

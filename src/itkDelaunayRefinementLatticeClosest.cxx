@@ -33,7 +33,8 @@ constexpr double SmallestCube = 1.0 / 64.0;
 
 } // namespace
 
-/** The search for the closest surface point: down the pyramid, the bricks and the cells, nearest first. */
+/** \class DelaunayRefinementLatticeOracle::ClosestSearch
+ * \brief The search for the closest surface point: down the pyramid, the bricks and the cells, nearest first. */
 class DelaunayRefinementLatticeOracle::ClosestSearch
 {
 public:

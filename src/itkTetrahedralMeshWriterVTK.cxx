@@ -52,7 +52,8 @@ Lend(TArray * array, const std::vector<TValue> & values)
                   keep);
 }
 
-/** Arrays that VTK's data sets share. */
+/** \class SharedArrays
+ * \brief Arrays that VTK's data sets share. */
 class SharedArrays
 {
 public:
@@ -145,7 +146,8 @@ private:
   vtkSmartPointer<vtkDataArray> m_Labels;
 };
 
-/** Collects errors, which VTK would print, and passes progress on. */
+/** \class WriterObserver
+ * \brief Collects errors, which VTK would print, and passes progress on. */
 class WriterObserver : public vtkCommand
 {
 public:

@@ -24,7 +24,8 @@
 
 namespace itk
 {
-/** The formats that VTK writes for us: XML is .vtu for tetrahedra and .vtp for triangles; LEGACY is .vtk. */
+/** \class TetrahedralMeshVTKFormat
+ * \brief The formats that VTK writes for us: XML is .vtu for tetrahedra and .vtp for triangles; LEGACY is .vtk. */
 enum class TetrahedralMeshVTKFormat
 {
   XML,

@@ -80,7 +80,8 @@ Fail(const std::string & fileName, int error)
                            ")" + advice);
 }
 
-/** A file that is gone at the end unless it was renamed. */
+/** \class TemporaryFile
+ * \brief A file that is gone at the end unless it was renamed. */
 class TemporaryFile
 {
 public:

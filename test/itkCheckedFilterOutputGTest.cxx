@@ -42,7 +42,8 @@ AddCell(MeshType * mesh, const std::vector<itk::IdentifierType> & points, float 
   mesh->SetCellData(id, label);
 }
 
-/** One tetrahedron, and its boundary with an order of points of its own. */
+/** \class CheckedFilterOutput
+ * \brief One tetrahedron, and its boundary with an order of points of its own. */
 class CheckedFilterOutput : public ::testing::Test
 {
 protected:

@@ -27,7 +27,8 @@ using namespace itk::DelaunayRefinementTest;
 
 namespace
 {
-/** The Colin27 brain of Debian's package mricron-data; the object is what is not 0. */
+/** \class DelaunayRefinementBrain
+ * \brief The Colin27 brain of Debian's package mricron-data; the object is what is not 0. */
 class DelaunayRefinementBrain : public ::testing::Test
 {
 protected:

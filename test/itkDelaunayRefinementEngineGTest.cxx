@@ -31,7 +31,8 @@ namespace
 {
 const PointType origin{ 0.0, 0.0, 0.0 };
 
-/** An empty object. */
+/** \class NothingOracle
+ * \brief An empty object. */
 class NothingOracle : public BallOracle
 {
 public:

@@ -38,9 +38,9 @@ struct TetrahedronFace
   std::uint32_t                opposite;
 };
 
-template <std::size_t Size>
-std::array<std::uint32_t, Size>
-MakeSorted(std::array<std::uint32_t, Size> vertices)
+template <std::size_t VSize>
+std::array<std::uint32_t, VSize>
+MakeSorted(std::array<std::uint32_t, VSize> vertices)
 {
   std::sort(vertices.begin(), vertices.end());
   return vertices;

@@ -28,7 +28,8 @@
 
 namespace itk::DelaunayRefinementTest
 {
-/** A folder that is gone at the end of a test. */
+/** \class TemporaryFolder
+ * \brief A folder that is gone at the end of a test. */
 class TemporaryFolder
 {
 public:

@@ -27,7 +27,8 @@ namespace meshimage
 {
 namespace
 {
-/** Takes numbers out of a header that may be in the other byte order. */
+/** \class HeaderBytes
+ * \brief Takes numbers out of a header that may be in the other byte order. */
 class HeaderBytes
 {
 public:

@@ -62,7 +62,8 @@ struct Options
   bool          quiet{ false };
 };
 
-/** The command line cannot be used; the sentence names the option. */
+/** \class UsageError
+ * \brief The command line cannot be used; the sentence names the option. */
 class UsageError : public std::runtime_error
 {
 public:

@@ -25,8 +25,9 @@
 
 namespace meshimage
 {
-/** The files that a run writes: all of them appear at once in the end, or none. Until then they are kept in folders of
- * their own beside their targets, until Commit or Discard is called. */
+/** \class Outputs
+ * \brief The files that a run writes: all of them appear at once in the end, or none. Until then they are kept in
+ * folders of their own beside their targets, until Commit or Discard is called. */
 class Outputs
 {
 public:

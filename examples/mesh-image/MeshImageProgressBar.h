@@ -23,7 +23,8 @@
 
 namespace meshimage
 {
-/** A line on standard error, redrawn a few times a second. */
+/** \class ProgressBar
+ * \brief A line on standard error, redrawn a few times a second. */
 class ProgressBar
 {
 public:

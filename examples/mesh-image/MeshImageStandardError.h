@@ -33,8 +33,9 @@ PrintMessage(const std::string & text);
 bool
 MessagesGoToTerminal();
 
-/** While one of these lives, what libraries print to standard error is lost. Readers of images print what they throw as
- * well, in words for programmers. */
+/** \class SilencedLibraries
+ * \brief While one of these lives, what libraries print to standard error is lost. Readers of images print what they
+ * throw as well, in words for programmers. */
 class SilencedLibraries
 {
 public:

@@ -22,7 +22,8 @@
 
 namespace meshimage
 {
-/** Wall time since it was made. */
+/** \class Stopwatch
+ * \brief Wall time since it was made. */
 class Stopwatch
 {
 public:

@@ -27,7 +27,8 @@ namespace meshimage
 {
 namespace
 {
-/** Reads the pages of a TIFF file (TIFF 6.0, section 2) or of a BigTIFF file, whose offsets have 64 bits. */
+/** \class TiffPages
+ * \brief Reads the pages of a TIFF file (TIFF 6.0, section 2) or of a BigTIFF file, whose offsets have 64 bits. */
 class TiffPages
 {
 public:

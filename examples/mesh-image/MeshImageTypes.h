@@ -29,7 +29,8 @@ namespace meshimage
 /** Coordinates in double precision; cell data that hold any label. */
 using MeshType = itk::Mesh<double, 3, itk::DefaultStaticMeshTraits<double, 3, 3, double, double, std::uint64_t>>;
 
-/** Something is wrong with the image, the disk or the run; the sentence says what to change. */
+/** \class RunError
+ * \brief Something is wrong with the image, the disk or the run; the sentence says what to change. */
 class RunError : public std::runtime_error
 {
 public:
