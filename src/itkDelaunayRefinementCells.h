@@ -73,8 +73,7 @@ public:
   double
   Evaluate(const PointType & p) const
   {
-    return m_Constant + p[0] * (m_X + p[1] * (m_XY + p[2] * m_XYZ) + p[2] * m_XZ) + p[1] * (m_Y + p[2] * m_YZ) +
-           p[2] * m_Z;
+    return this->EvaluateAtZero(p[1], p[2]) + p[0] * this->ComputeSlope(p[1], p[2]);
   }
 
   bool
@@ -108,8 +107,9 @@ public:
     {
       const double y = corner[1] + row % 3 * half;
       const double z = corner[2] + row / 3 * half;
-      const double atZero = m_Constant + y * (m_Y + z * m_YZ) + z * m_Z;
-      const double slope = m_X + y * (m_XY + z * m_XYZ) + z * m_XZ;
+      // As Evaluate() rounds: else surface that lies in the face of a cube may be in none of them.
+      const double atZero = this->EvaluateAtZero(y, z);
+      const double slope = this->ComputeSlope(y, z);
       for (unsigned int x = 0; x < 3; ++x)
       {
         inside |= (atZero + (corner[0] + x * half) * slope >= 0.0 ? 1u : 0u) << (3 * row + x);
@@ -151,6 +151,20 @@ public:
   }
 
 private:
+  /** Along x: the value at x = 0. */
+  double
+  EvaluateAtZero(double y, double z) const
+  {
+    return m_Constant + y * (m_Y + z * m_YZ) + z * m_Z;
+  }
+
+  /** Along x: the derivative. */
+  double
+  ComputeSlope(double y, double z) const
+  {
+    return m_X + y * (m_XY + z * m_XYZ) + z * m_XZ;
+  }
+
   static bool
   FindFirstChange(const std::array<double, 4> & b, bool isInside, double low, double high, double & share)
   {
