@@ -14,7 +14,6 @@ itk_module(
   TEST_DEPENDS
     ITKGoogleTest
     ITKIONIFTI
-    ITKTestKernel
     ITKThresholding
   DESCRIPTION "${DOCUMENTATION}"
   EXCLUDE_FROM_DEFAULT
