@@ -57,7 +57,8 @@ public:
   /** A piece of the surface. */
   struct SurfacePatch
   {
-    /** The whole piece lies within \c radius of \c center, and in the box that extends by \c halfExtents from it (mm). */
+    /** The whole piece lies within \c radius of \c center, and in the box that extends by \c halfExtents from it (mm).
+     */
     PointType center;
     /** Of a ball around \c center (mm). */
     double radius;
