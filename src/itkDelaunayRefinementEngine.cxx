@@ -263,7 +263,7 @@ DelaunayRefinementEngine::Impl::StartComplex(const std::vector<PointType> & seed
     deltas.push_back(m_LocalDelta.GetAt(seed));
   }
   m_Complex = std::make_unique<DelaunayRefinementComplex>(m_Oracle, m_Parameters.roundToFloat, this->ComputeBox());
-  m_Rules = std::make_unique<DelaunayRefinementRules>(m_Oracle, m_Parameters, *m_Complex, m_LocalDelta);
+  m_Rules = std::make_unique<DelaunayRefinementRules>(m_Oracle, m_Parameters, *m_Complex, m_LocalDelta, *m_Sample);
   m_Encroachment = std::make_unique<DelaunayRefinementEncroachment>(*m_Complex);
   m_Statistics.insertions[static_cast<std::size_t>(RefinementRule::R1)] = seeds.size();
   if (!m_Complex->Start(seeds, deltas, [this] { return this->KeepGoing(); }))

@@ -15,6 +15,7 @@
  *  limitations under the License.
  *
  *=========================================================================*/
+#include "itkDelaunayRefinementBits.h"
 #include "itkDelaunayRefinementGeometry.h"
 #include "itkDelaunayRefinementLatticeVisit.h"
 
@@ -230,17 +231,13 @@ DelaunayRefinementLatticeOracle::FindPointOfPatch(const SurfacePatch & patch, Po
   if (level < CellLevel)
   {
     // Some cell of those with surface.
-    const std::uint64_t          active = this->GetCellsOfPatch(patch.index, level);
-    std::array<std::int32_t, 64> bits;
-    std::int32_t                 number = 0;
-    for (std::int32_t bit = 0; bit < 64; ++bit)
+    std::uint64_t active = this->GetCellsOfPatch(patch.index, level);
+    for (auto skipped = static_cast<unsigned int>(random[0] * CountDelaunayRefinementBits(active)); skipped > 0;
+         --skipped)
     {
-      if (active >> bit & 1u)
-      {
-        bits[number++] = bit;
-      }
+      active &= active - 1;
     }
-    const std::int32_t chosen = bits[static_cast<std::int32_t>(random[0] * number)];
+    const auto chosen = static_cast<std::int32_t>(FindDelaunayRefinementBit(active));
     place.cell = { (patch.index[0] >> level << CellLevel) + (chosen & 3),
                    (patch.index[1] >> level << CellLevel) + (chosen >> 2 & 3),
                    (patch.index[2] >> level << CellLevel) + (chosen >> 4) };

@@ -37,14 +37,16 @@ constexpr double LargestBallShare = 1.01;
 constexpr double DegreesToRadians = 0.017453292519943295;
 } // namespace
 
-DelaunayRefinementRules::DelaunayRefinementRules(const DelaunayRefinementOracle &     oracle,
-                                                 const DelaunayRefinementParameters & parameters,
-                                                 const DelaunayRefinementComplex &    complex,
-                                                 const DelaunayRefinementLocalDelta & localDelta)
+DelaunayRefinementRules::DelaunayRefinementRules(const DelaunayRefinementOracle &        oracle,
+                                                 const DelaunayRefinementParameters &    parameters,
+                                                 const DelaunayRefinementComplex &       complex,
+                                                 const DelaunayRefinementLocalDelta &    localDelta,
+                                                 const DelaunayRefinementSurfaceSample & sample)
   : m_Oracle(oracle)
   , m_Parameters(parameters)
   , m_Complex(complex)
   , m_LocalDelta(localDelta)
+  , m_Sample(sample)
   , m_LargestDihedralCosine(std::cos(parameters.minimumDihedralAngle * DegreesToRadians))
 {}
 
@@ -84,8 +86,9 @@ DelaunayRefinementRules::FiresR2(IndexType cell) const
       return true;
     }
   }
-  const auto ball = m_Complex.GetBall(cell);
-  return m_Oracle.IsSurfaceWithin(ball.center, std::sqrt(ball.squaredRadius));
+  const auto   ball = m_Complex.GetBall(cell);
+  const double radius = std::sqrt(ball.squaredRadius);
+  return m_Sample.MayHaveSurfaceWithin(ball.center, radius) && m_Oracle.IsSurfaceWithin(ball.center, radius);
 }
 
 double

@@ -19,7 +19,7 @@
 #define itkDelaunayRefinementRules_h
 
 #include "itkDelaunayRefinementComplex.h"
-#include "itkDelaunayRefinementLocalDelta.h"
+#include "itkDelaunayRefinementSurfaceSample.h"
 
 namespace itk
 {
@@ -38,10 +38,11 @@ public:
   using PointType = DelaunayRefinementPoint;
   using IndexType = DelaunayRefinementComplex::IndexType;
 
-  DelaunayRefinementRules(const DelaunayRefinementOracle &     oracle,
-                          const DelaunayRefinementParameters & parameters,
-                          const DelaunayRefinementComplex &    complex,
-                          const DelaunayRefinementLocalDelta & localDelta);
+  DelaunayRefinementRules(const DelaunayRefinementOracle &        oracle,
+                          const DelaunayRefinementParameters &    parameters,
+                          const DelaunayRefinementComplex &       complex,
+                          const DelaunayRefinementLocalDelta &    localDelta,
+                          const DelaunayRefinementSurfaceSample & sample);
 
   /** Cheap: false only if R2 does not fire. */
   bool
@@ -97,11 +98,12 @@ private:
   void
   FindCrossing(const PointType & from, const PointType & to, PointType & crossing) const;
 
-  const DelaunayRefinementOracle &     m_Oracle;
-  const DelaunayRefinementParameters & m_Parameters;
-  const DelaunayRefinementComplex &    m_Complex;
-  const DelaunayRefinementLocalDelta & m_LocalDelta;
-  double                               m_LargestDihedralCosine;
+  const DelaunayRefinementOracle &        m_Oracle;
+  const DelaunayRefinementParameters &    m_Parameters;
+  const DelaunayRefinementComplex &       m_Complex;
+  const DelaunayRefinementLocalDelta &    m_LocalDelta;
+  const DelaunayRefinementSurfaceSample & m_Sample;
+  double                                  m_LargestDihedralCosine;
 };
 } // end namespace itk
 

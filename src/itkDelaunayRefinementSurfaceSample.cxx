@@ -44,6 +44,9 @@ constexpr double SampledPatch = 0.75;
 /** A part is sampled if its center is no further than this share of its radius inside the covered part of space. */
 constexpr double HopefulShare = 0.35;
 
+/** Surface points are within this share of delta of a vertex, those included that were replaced by one nearby. */
+constexpr double CoverageShare = 1.01;
+
 /** Patches smaller than this share of delta are held to belong to one component. */
 constexpr double SmallPatch = 0.3;
 } // namespace
@@ -198,6 +201,13 @@ DelaunayRefinementSurfaceSample::CoverByParts(const PatchType &              pat
     m_Oracle.SplitSurfacePatch(part, m_Stack);
   }
   return true;
+}
+
+bool
+DelaunayRefinementSurfaceSample::MayHaveSurfaceWithin(const PointType & point, double radius) const
+{
+  const double reach = radius + CoverageShare * m_LocalDelta.GetMaximum();
+  return m_Grid.FindNearest(point, reach, reach) != DelaunayRefinementPointGrid::None;
 }
 
 void

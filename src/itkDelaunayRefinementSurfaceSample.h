@@ -54,6 +54,10 @@ public:
   bool
   Certify(std::vector<PointType> & points, const std::function<bool()> & keepGoing);
 
+  /** Cheap: false only if no surface point lies within \c radius of a point, as it would be covered. */
+  bool
+  MayHaveSurfaceWithin(const PointType & point, double radius) const;
+
 private:
   using PatchType = DelaunayRefinementOracle::SurfacePatch;
 

@@ -89,6 +89,11 @@ DelaunayRefinementTriangulation::InsertMany(const std::vector<PointType> & point
     ++vertex;
   }
 
+  // Points in space have some seven cells each.
+  constexpr std::size_t cellsPerPoint = 8;
+  m_Cells.reserve(cellsPerPoint * points.size());
+  m_Generations.reserve(cellsPerPoint * points.size());
+
   // The first that make a tetrahedron go to the front.
   const auto find = [&](std::size_t place, const auto & isGood) {
     const auto found = std::find_if(order.begin() + static_cast<std::ptrdiff_t>(place), order.end(), isGood);
