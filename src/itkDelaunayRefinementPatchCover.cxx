@@ -28,6 +28,9 @@ using Geometry = DelaunayRefinementGeometry;
 /** Cubes per patch; more would take longer to set up than they save. */
 constexpr double MostCubesPerPatch = 8.0;
 
+/** In units of float's epsilon. */
+constexpr double Roundings = 8.0;
+
 /** Edge of the cubes over the greatest reach. */
 constexpr double CubeSize = 0.7;
 } // namespace
@@ -81,6 +84,28 @@ DelaunayRefinementPatchCover::DelaunayRefinementPatchCover(std::vector<EntryType
   {
     m_Entries[next[cubes[i]]++] = entries[i];
   }
+  this->MakeBoxes(std::max({ extent[0], extent[1], extent[2] }) + m_GreatestReach);
+}
+
+void
+DelaunayRefinementPatchCover::MakeBoxes(double extent)
+{
+  // Each of the coordinates and differences is off by at most this share of the extent.
+  const double off = Roundings * std::numeric_limits<float>::epsilon() * extent;
+  const auto   square = [off](double length) {
+    const double less = (1.0 - Roundings * std::numeric_limits<float>::epsilon()) * length - off;
+    return less > 0.0 ? static_cast<float>(less * less) : -1.0f;
+  };
+  for (const EntryType & entry : m_Entries)
+  {
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      m_Boxes.center[i].push_back(static_cast<float>(entry.patch.center[i] - m_Minimum[i]));
+      m_Boxes.halfExtents[i].push_back(static_cast<float>(entry.patch.halfExtents[i]));
+    }
+    m_Boxes.squaredDelta.push_back(square(entry.delta));
+    m_Boxes.squaredReach.push_back(square(entry.delta - entry.patch.radius));
+  }
 }
 
 DelaunayRefinementPatchCover::CubeType
@@ -102,19 +127,28 @@ DelaunayRefinementPatchCover::CoverFrom(const PointType & vertex)
   {
     return;
   }
+  const float    x = static_cast<float>(vertex[0] - m_Minimum[0]);
+  const float    y = static_cast<float>(vertex[1] - m_Minimum[1]);
+  const float    z = static_cast<float>(vertex[2] - m_Minimum[2]);
   const CubeType first = this->FindCube(vertex, -m_GreatestReach);
   const CubeType last = this->FindCube(vertex, m_GreatestReach);
-  for (std::int32_t z = first[2]; z <= last[2]; ++z)
+  for (std::int32_t cubeZ = first[2]; cubeZ <= last[2]; ++cubeZ)
   {
-    for (std::int32_t y = first[1]; y <= last[1]; ++y)
+    for (std::int32_t cubeY = first[1]; cubeY <= last[1]; ++cubeY)
     {
-      const std::uint32_t end = m_Starts[this->ToOffset({ last[0], y, z }) + 1];
-      for (std::uint32_t i = m_Starts[this->ToOffset({ first[0], y, z })]; i < end; ++i)
+      const std::uint32_t end = m_Starts[this->ToOffset({ last[0], cubeY, cubeZ }) + 1];
+      for (std::uint32_t i = m_Starts[this->ToOffset({ first[0], cubeY, cubeZ })]; i < end; ++i)
       {
-        if (IsWithin(m_Entries[i].patch, m_Entries[i].delta, vertex))
-        {
-          m_IsCovered[i] = 1;
-        }
+        const float dx = std::abs(x - m_Boxes.center[0][i]);
+        const float dy = std::abs(y - m_Boxes.center[1][i]);
+        const float dz = std::abs(z - m_Boxes.center[2][i]);
+        const float furthestX = dx + m_Boxes.halfExtents[0][i];
+        const float furthestY = dy + m_Boxes.halfExtents[1][i];
+        const float furthestZ = dz + m_Boxes.halfExtents[2][i];
+        const bool  isInBox =
+          furthestX * furthestX + furthestY * furthestY + furthestZ * furthestZ <= m_Boxes.squaredDelta[i];
+        const bool isInBall = dx * dx + dy * dy + dz * dz <= m_Boxes.squaredReach[i];
+        m_IsCovered[i] = static_cast<char>(m_IsCovered[i] | isInBox | isInBall);
       }
     }
   }

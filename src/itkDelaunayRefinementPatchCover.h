@@ -34,11 +34,12 @@ public:
   using PointType = DelaunayRefinementPoint;
   using PatchType = DelaunayRefinementOracle::SurfacePatch;
 
-  /** A patch is covered by a vertex within \c delta of all of it. */
+  /** A patch is covered by a vertex within \c delta of all of it. \c isUniform is the caller's. */
   struct EntryType
   {
     PatchType patch;
     double    delta;
+    bool      isUniform;
   };
 
   /** Whether all of a patch is within delta of a point. */
@@ -65,10 +66,10 @@ public:
     return m_Entries.size();
   }
 
-  const PatchType &
-  GetPatch(std::size_t number) const
+  const EntryType &
+  GetEntry(std::size_t number) const
   {
-    return m_Entries[number].patch;
+    return m_Entries[number];
   }
 
   bool
@@ -90,6 +91,19 @@ public:
 private:
   using CubeType = std::array<std::int32_t, 3>;
 
+  /** What decides, in single precision, from the grid's corner: a little less is covered than could be. One array each,
+   * so that several are compared at once. */
+  struct BoxesType
+  {
+    std::array<std::vector<float>, 3> center{};
+    std::array<std::vector<float>, 3> halfExtents{};
+    std::vector<float>                squaredDelta{};
+    std::vector<float>                squaredReach{};
+  };
+
+  void
+  MakeBoxes(double extent);
+
   /** Points beyond the grid belong to the cubes at its border. */
   CubeType
   FindCube(const PointType & point, double offset) const;
@@ -106,6 +120,7 @@ private:
   CubeType                   m_Size{};
   std::vector<std::uint32_t> m_Starts{}; // of each cube's patches, and the end
   std::vector<EntryType>     m_Entries{};
+  BoxesType                  m_Boxes{};
   std::vector<char>          m_IsCovered{};
 };
 } // end namespace itk

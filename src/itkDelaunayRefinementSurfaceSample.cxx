@@ -117,7 +117,7 @@ DelaunayRefinementSurfaceSample::CollectPatches(std::vector<DelaunayRefinementPa
       }
       else
       {
-        entries.push_back({ top, delta });
+        entries.push_back({ top, delta, isUniform });
       }
     }
   }
@@ -150,10 +150,10 @@ DelaunayRefinementSurfaceSample::Sample(const PatchType & patch, bool isUniform,
 
 bool
 DelaunayRefinementSurfaceSample::CoverByParts(const PatchType &              patch,
+                                              bool                           isUniform,
                                               DelaunayRefinementPatchCover & cover,
                                               const std::function<bool()> &  mayVisit)
 {
-  const bool isUniform = this->IsUniform(patch);
   m_Nearby.clear();
   m_Grid.FindWithin(patch.center, m_LocalDelta.GetMaximum() + patch.radius, m_Nearby);
   m_Stack.assign(1, patch);
@@ -239,8 +239,8 @@ DelaunayRefinementSurfaceSample::Certify(std::vector<PointType> & points, const 
     }
     if (!cover.IsCovered(i))
     {
-      const PatchType & patch = cover.GetPatch(i);
-      if (this->Sample(patch, this->IsUniform(patch), cover) == OutcomeEnum::DONE)
+      const auto & entry = cover.GetEntry(i);
+      if (this->Sample(entry.patch, entry.isUniform, cover) == OutcomeEnum::DONE)
       {
         cover.SetCovered(i);
       }
@@ -248,7 +248,8 @@ DelaunayRefinementSurfaceSample::Certify(std::vector<PointType> & points, const 
   }
   for (std::size_t i = 0; i < cover.GetNumberOfPatches(); ++i)
   {
-    if (!cover.IsCovered(i) && !this->CoverByParts(cover.GetPatch(i), cover, mayVisit))
+    const auto & entry = cover.GetEntry(i);
+    if (!cover.IsCovered(i) && !this->CoverByParts(entry.patch, entry.isUniform, cover, mayVisit))
     {
       return false;
     }

@@ -87,7 +87,10 @@ private:
 
   /** Covers all of one patch, by splitting it. */
   bool
-  CoverByParts(const PatchType & patch, DelaunayRefinementPatchCover & cover, const std::function<bool()> & mayVisit);
+  CoverByParts(const PatchType &              patch,
+               bool                           isUniform,
+               DelaunayRefinementPatchCover & cover,
+               const std::function<bool()> &  mayVisit);
 
   static std::vector<std::uint32_t>
   MakeRandomOrder(std::size_t length);
