@@ -42,72 +42,68 @@ DelaunayRefinementPointGrid::DelaunayRefinementPointGrid(const PointType & minim
   {
     m_Size[i] = 1 + static_cast<std::int32_t>(extent[i] * m_InverseSize);
   }
-  m_Last.assign(this->ToOffset(m_Size[0] - 1, m_Size[1] - 1, m_Size[2] - 1) + 1, None);
+  m_LastBlocks.assign(this->ToOffset(m_Size[0] - 1, m_Size[1] - 1, m_Size[2] - 1) + 1, None);
 }
 
-std::int32_t
+void
 DelaunayRefinementPointGrid::Add(const PointType & point)
 {
   const CubeType cube = this->ToCube(point, 0.0);
-  std::int32_t & last = m_Last[this->ToOffset(cube[0], cube[1], cube[2])];
-  m_Nodes.push_back({ point, last });
-  last = static_cast<std::int32_t>(m_Nodes.size() - 1);
-  return last;
+  std::int32_t & last = m_LastBlocks[this->ToOffset(cube[0], cube[1], cube[2])];
+  if (last == None || m_Blocks[last].numberOfPoints == m_Blocks[last].points.size())
+  {
+    m_Blocks.push_back({ {}, 0, last });
+    last = static_cast<std::int32_t>(m_Blocks.size() - 1);
+  }
+  BlockType & block = m_Blocks[last];
+  block.points[block.numberOfPoints++] = point;
+  m_Points.push_back(point);
 }
 
-std::int32_t
-DelaunayRefinementPointGrid::FindNearest(const PointType & point, double radius, double enough) const
+template <typename TVisitor>
+bool
+DelaunayRefinementPointGrid::VisitWithin(const PointType & point, double radius, const TVisitor & visitor) const
 {
   const CubeType first = this->ToCube(point, -radius);
   const CubeType last = this->ToCube(point, radius);
-  const double   squaredEnough = enough * enough;
-  double         best = radius * radius;
-  std::int32_t   nearest = None;
+  const double   squaredRadius = radius * radius;
   for (std::int32_t z = first[2]; z <= last[2]; ++z)
   {
     for (std::int32_t y = first[1]; y <= last[1]; ++y)
     {
       for (std::int32_t x = first[0]; x <= last[0]; ++x)
       {
-        for (std::int32_t node = m_Last[this->ToOffset(x, y, z)]; node != None; node = m_Nodes[node].previous)
+        for (std::int32_t number = m_LastBlocks[this->ToOffset(x, y, z)]; number != None;)
         {
-          const double squared = DelaunayRefinementGeometry::SquaredDistance(point, m_Nodes[node].point);
-          if (squared <= best)
+          const BlockType & block = m_Blocks[number];
+          for (std::uint32_t i = 0; i < block.numberOfPoints; ++i)
           {
-            best = squared;
-            nearest = node;
-            if (best <= squaredEnough)
+            if (DelaunayRefinementGeometry::SquaredDistance(point, block.points[i]) <= squaredRadius &&
+                visitor(block.points[i]))
             {
-              return nearest;
+              return true;
             }
           }
+          number = block.previous;
         }
       }
     }
   }
-  return nearest;
+  return false;
+}
+
+bool
+DelaunayRefinementPointGrid::HasPointWithin(const PointType & point, double radius) const
+{
+  return this->VisitWithin(point, radius, [](const PointType &) { return true; });
 }
 
 void
 DelaunayRefinementPointGrid::FindWithin(const PointType & point, double radius, std::vector<PointType> & found) const
 {
-  const CubeType first = this->ToCube(point, -radius);
-  const CubeType last = this->ToCube(point, radius);
-  for (std::int32_t z = first[2]; z <= last[2]; ++z)
-  {
-    for (std::int32_t y = first[1]; y <= last[1]; ++y)
-    {
-      for (std::int32_t x = first[0]; x <= last[0]; ++x)
-      {
-        for (std::int32_t node = m_Last[this->ToOffset(x, y, z)]; node != None; node = m_Nodes[node].previous)
-        {
-          if (DelaunayRefinementGeometry::SquaredDistance(point, m_Nodes[node].point) <= radius * radius)
-          {
-            found.push_back(m_Nodes[node].point);
-          }
-        }
-      }
-    }
-  }
+  this->VisitWithin(point, radius, [&found](const PointType & other) {
+    found.push_back(other);
+    return false;
+  });
 }
 } // end namespace itk

@@ -23,7 +23,7 @@
 namespace itk
 {
 /** \class DelaunayRefinementPointGrid
- * \brief Points in a grid of cubes, to find the nearest one within a distance.
+ * \brief Points in a grid of cubes, to find those within a distance.
  *
  * \ingroup DelaunayRefinement
  */
@@ -36,41 +36,40 @@ public:
    * the box would take too many cubes. */
   DelaunayRefinementPointGrid(const PointType & minimum, const PointType & maximum, double cubeSize);
 
-  /** Returns the point's number. */
-  std::int32_t
+  void
   Add(const PointType & point);
 
-  static constexpr std::int32_t None = -1;
-
-  const PointType &
-  GetPoint(std::int32_t number) const
-  {
-    return m_Nodes[number].point;
-  }
-
-  /** The number of the nearest point within \c radius, None if there is none. Stops at the first point found within
-   * \c enough. */
-  std::int32_t
-  FindNearest(const PointType & point, double radius, double enough) const;
+  bool
+  HasPointWithin(const PointType & point, double radius) const;
 
   /** Appends the points within \c radius. */
   void
   FindWithin(const PointType & point, double radius, std::vector<PointType> & found) const;
 
-  std::size_t
-  GetNumberOfPoints() const
+  /** All points, in the order in which they were added. */
+  const std::vector<PointType> &
+  GetPoints() const
   {
-    return m_Nodes.size();
+    return m_Points;
   }
 
 private:
   using CubeType = std::array<std::int32_t, 3>;
 
-  struct NodeType
+  static constexpr std::int32_t None = -1;
+
+  /** Some points of one cube; the block with others that came before them. */
+  struct BlockType
   {
-    PointType    point;
-    std::int32_t previous;
+    std::array<PointType, 8> points;
+    std::uint32_t            numberOfPoints;
+    std::int32_t             previous;
   };
+
+  /** Calls \c visitor with the points within \c radius until it returns true, and tells whether it did. */
+  template <typename TVisitor>
+  bool
+  VisitWithin(const PointType & point, double radius, const TVisitor & visitor) const;
 
   /** Points beyond the box belong to the cubes at its border: slower there, never wrong. */
   CubeType
@@ -94,8 +93,9 @@ private:
   PointType                 m_Minimum;
   double                    m_InverseSize;
   CubeType                  m_Size;
-  std::vector<std::int32_t> m_Last{};
-  std::vector<NodeType>     m_Nodes{};
+  std::vector<PointType>    m_Points{};
+  std::vector<BlockType>    m_Blocks{};
+  std::vector<std::int32_t> m_LastBlocks{}; // of each cube
 };
 } // end namespace itk
 

@@ -134,7 +134,7 @@ DelaunayRefinementSurfaceSample::Sample(const PatchType & patch, bool isUniform,
   }
   const double own = isUniform ? m_LocalDelta.GetMaximum() : m_LocalDelta.GetAt(point);
   const double apart = Separation * own;
-  if (m_Grid.FindNearest(point, apart, apart) != DelaunayRefinementPointGrid::None)
+  if (m_Grid.HasPointWithin(point, apart))
   {
     return patch.radius < SmallestPatch * own ? OutcomeEnum::DONE : OutcomeEnum::NOTHING;
   }
@@ -206,8 +206,7 @@ DelaunayRefinementSurfaceSample::CoverByParts(const PatchType &              pat
 bool
 DelaunayRefinementSurfaceSample::MayHaveSurfaceWithin(const PointType & point, double radius) const
 {
-  const double reach = radius + CoverageShare * m_LocalDelta.GetMaximum();
-  return m_Grid.FindNearest(point, reach, reach) != DelaunayRefinementPointGrid::None;
+  return m_Grid.HasPointWithin(point, radius + CoverageShare * m_LocalDelta.GetMaximum());
 }
 
 void
@@ -227,9 +226,9 @@ DelaunayRefinementSurfaceSample::Certify(std::vector<PointType> & points, const 
     return false;
   }
   DelaunayRefinementPatchCover cover(std::move(entries));
-  for (std::size_t i = 0; i < m_Grid.GetNumberOfPoints(); ++i)
+  for (const PointType & vertex : m_Grid.GetPoints())
   {
-    cover.CoverFrom(m_Grid.GetPoint(static_cast<std::int32_t>(i)));
+    cover.CoverFrom(vertex);
   }
   for (const std::uint32_t i : MakeRandomOrder(cover.GetNumberOfPatches()))
   {
