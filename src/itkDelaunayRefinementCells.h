@@ -58,9 +58,11 @@ class DelaunayRefinementLinearCell
 public:
   using PointType = DelaunayRefinementPoint;
 
-  /** Corner values in the order of voxel masks' configurations: x fastest. */
-  explicit DelaunayRefinementLinearCell(const std::array<double, 8> & v)
-    : m_Constant(v[0])
+  /** Corner values in the order of voxel masks' configurations: x fastest. \c noise bounds what rounding does to
+   * interpolated values; those nearer to 0 may be on either side. 0 where they are exact. */
+  DelaunayRefinementLinearCell(const std::array<double, 8> & v, double noise)
+    : m_Noise(noise)
+    , m_Constant(v[0])
     , m_X(v[1] - v[0])
     , m_Y(v[2] - v[0])
     , m_Z(v[4] - v[0])
@@ -86,16 +88,16 @@ public:
   MayIntersect(const PointType & corner, double size) const
   {
     // Within a cube a trilinear function stays between its values at the corners.
-    const bool first = this->IsInside(corner);
-    for (unsigned int i = 1; i < 8; ++i)
+    bool hasInside = false;
+    bool hasOutside = false;
+    for (unsigned int i = 0; i < 8 && !(hasInside && hasOutside); ++i)
     {
-      if (this->IsInside(
-            { corner[0] + (i & 1u) * size, corner[1] + (i >> 1 & 1u) * size, corner[2] + (i >> 2) * size }) != first)
-      {
-        return true;
-      }
+      const double value =
+        this->Evaluate({ corner[0] + (i & 1u) * size, corner[1] + (i >> 1 & 1u) * size, corner[2] + (i >> 2) * size });
+      hasInside = hasInside || value >= -m_Noise;
+      hasOutside = hasOutside || value < m_Noise;
     }
-    return false;
+    return hasInside && hasOutside;
   }
 
   unsigned int
@@ -103,24 +105,26 @@ public:
   {
     const double half = 0.5 * size;
     unsigned int inside = 0; // of the grid of 27 points
+    unsigned int outside = 0;
     for (unsigned int row = 0; row < 9; ++row)
     {
       const double y = corner[1] + row % 3 * half;
       const double z = corner[2] + row / 3 * half;
-      // As Evaluate() rounds: else surface that lies in the face of a cube may be in none of them.
       const double atZero = this->EvaluateAtZero(y, z);
       const double slope = this->ComputeSlope(y, z);
       for (unsigned int x = 0; x < 3; ++x)
       {
-        inside |= (atZero + (corner[0] + x * half) * slope >= 0.0 ? 1u : 0u) << (3 * row + x);
+        const double value = atZero + (corner[0] + x * half) * slope;
+        inside |= (value >= -m_Noise ? 1u : 0u) << (3 * row + x);
+        outside |= (value < m_Noise ? 1u : 0u) << (3 * row + x);
       }
     }
     constexpr unsigned int corners = 1u << 0 | 1u << 1 | 1u << 3 | 1u << 4 | 1u << 9 | 1u << 10 | 1u << 12 | 1u << 13;
     unsigned int           octants = 0;
     for (unsigned int i = 0; i < 8; ++i)
     {
-      const unsigned int at = inside >> ((i & 1u) + 3 * (i >> 1 & 1u) + 9 * (i >> 2)) & corners;
-      octants |= (at != 0 && at != corners ? 1u : 0u) << i;
+      const unsigned int place = (i & 1u) + 3 * (i >> 1 & 1u) + 9 * (i >> 2);
+      octants |= ((inside >> place & corners) != 0 && (outside >> place & corners) != 0 ? 1u : 0u) << i;
     }
     return octants;
   }
@@ -237,6 +241,7 @@ private:
     return high;
   }
 
+  double m_Noise;
   double m_Constant;
   double m_X;
   double m_Y;

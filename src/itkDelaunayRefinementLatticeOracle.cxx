@@ -207,7 +207,8 @@ DelaunayRefinementIndicatorCell::MakeAll()
     {
       values[i] = (configuration >> i & 1u) ? 0.5 : -0.5;
     }
-    const DelaunayRefinementLinearCell cell(values);
+    // Exact: halves, at places with few digits.
+    const DelaunayRefinementLinearCell cell(values, 0.0);
     cells.push_back({ cell, cell.FindOctants({ 0.0, 0.0, 0.0 }, 1.0) });
   }
   return cells;

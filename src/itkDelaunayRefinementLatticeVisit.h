@@ -70,7 +70,16 @@ DelaunayRefinementLatticeOracle::VisitCell(const IndexType & cell, const TVisito
     };
     return visitor(DelaunayRefinementFieldCell<decltype(isInside)>(isInside));
   }
-  return visitor(DelaunayRefinementLinearCell(this->GetCellValues(cell)));
+  const std::array<double, 8> values = this->GetCellValues(cell);
+  double                      largest = 0.0;
+  for (const double value : values)
+  {
+    largest = std::max(largest, std::abs(value));
+  }
+  // Surface may lie in the faces of cubes, as it does half a voxel beyond the border; were a cube's corners taken as
+  // they are rounded, it could be in none of them.
+  constexpr double roundings = 128.0;
+  return visitor(DelaunayRefinementLinearCell(values, roundings * std::numeric_limits<double>::epsilon() * largest));
 }
 
 } // end namespace itk

@@ -157,6 +157,22 @@ TEST(DelaunayRefinementMeshFilterShapes, ObjectTouchesTheBorder)
   EXPECT_NEAR(ComputeVolume(mesh) / BallOracle(origin, 9.0).ComputeVolume(), 0.5, 0.03);
 }
 
+TEST(DelaunayRefinementMeshFilterShapes, GreyValuesFillTheImage)
+{
+  // Half a voxel beyond the border the surface is a plane that only rounding moves.
+  const auto image = MakeImage<float>(MakeCubeGeometry(24), [](const PointType & point) {
+    return 1.1 + 0.3 * std::sin(3.0 * point[0]) + 0.2 * std::sin(5.0 * point[1]) + 0.1 * std::sin(7.0 * point[2]);
+  });
+  for (const double delta : { 2.0, 1.3, 1.0 })
+  {
+    SCOPED_TRACE("delta " + std::to_string(delta));
+    const auto filter = MakeFilter(image.GetPointer(), delta);
+    filter->SetIsoValue(0.1);
+    filter->Update();
+    ExpectGuarantees(GetMesh(filter.GetPointer()));
+  }
+}
+
 TEST(DelaunayRefinementMeshFilterShapes, EveryFillingOfABlock)
 {
   // Components are 18-connected, and all of them are meshed however large delta is.

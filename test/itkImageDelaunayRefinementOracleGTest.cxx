@@ -24,6 +24,9 @@
 #include "itkLinearInterpolateImageFunction.h"
 #include "itkNearestNeighborInterpolateImageFunction.h"
 
+#include <algorithm>
+#include <random>
+
 using namespace itk::DelaunayRefinementTest;
 
 namespace
@@ -288,6 +291,60 @@ TEST(ImageDelaunayRefinementOracle, ComponentsAreNumberedAndBounded)
   EXPECT_LT(components[left].inscribedRadius, 4.0 + OneVoxel);
   EXPECT_GT(components[right].inscribedRadius, 1.0);
   EXPECT_LT(components[right].inscribedRadius, 3.0 + OneVoxel);
+}
+
+TEST(ImageDelaunayRefinementOracle, SurfaceInTheFacesOfPatchesIsInOneOfThem)
+{
+  // Half a voxel beyond the border of a grey image, where rounding alone says on which side a point is.
+  constexpr int size = 8;
+  std::mt19937  random(1);
+  const auto    image = MakeImage<float>(MakeCubeGeometry(size), [&random](const PointType &) {
+    return std::uniform_real_distribution<double>(0.2, 10.0)(random);
+  });
+  ObjectType    object;
+  object.definition = DefinitionEnum::ISO_VALUE;
+  object.isoValue = 0.1;
+  const OracleType       oracle(image, object);
+  std::vector<PointType> points;
+  for (int i = 0; i < 100; ++i)
+  {
+    std::uniform_real_distribution<double> coordinate(-0.5 * (size - 1), 0.5 * (size - 1));
+    const double                           x = coordinate(random);
+    points.push_back({ x, -0.5 * size, coordinate(random) });
+    points.push_back({ x, 0.5 * size, coordinate(random) });
+  }
+  auto patches = oracle.GetSurfacePatches();
+  for (unsigned int split = 0; split < 9; ++split)
+  {
+    for (const PointType & point : points)
+    {
+      EXPECT_TRUE(std::any_of(patches.begin(),
+                              patches.end(),
+                              [&point](const auto & patch) {
+                                constexpr double rounding = 1e-9;
+                                bool             isInBox = true;
+                                for (unsigned int i = 0; i < 3; ++i)
+                                {
+                                  isInBox =
+                                    isInBox && std::abs(point[i] - patch.center[i]) <= patch.halfExtents[i] + rounding;
+                                }
+                                return isInBox;
+                              }))
+        << "after splitting " << split << " times";
+    }
+    std::vector<OracleType::SurfacePatch> parts;
+    for (const auto & patch : patches)
+    {
+      // Those alone in which some point may be.
+      if (std::any_of(points.begin(), points.end(), [&patch](const PointType & point) {
+            return Distance(point, patch.center) <= patch.radius + 1e-9;
+          }))
+      {
+        oracle.SplitSurfacePatch(patch, parts);
+      }
+    }
+    patches.swap(parts);
+  }
 }
 
 TEST(ImageDelaunayRefinementOracle, EmptyObjectHasNoSurface)
