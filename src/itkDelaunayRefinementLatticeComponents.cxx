@@ -99,9 +99,10 @@ DelaunayRefinementLatticeOracle::FindThickVoxels(double enough) const
     ++numbersOfRuns[run.component];
   }
   std::vector<std::size_t> seen(numbersOfRuns.size(), 0);
-  std::vector<double>      best(numbersOfRuns.size(), 0.0);
   std::vector<IndexType>   thickest(numbersOfRuns.size());
-  const auto               measure = [&](const IndexType & voxel, unsigned int axis) {
+
+  std::vector<std::pair<double, double>> best(numbersOfRuns.size());
+  const auto                             measure = [&](const IndexType & voxel, unsigned int axis) {
     const double spacing = std::sqrt(m_Gram[axis][axis]);
     IndexType    low = voxel;
     IndexType    high = voxel;
@@ -126,12 +127,14 @@ DelaunayRefinementLatticeOracle::FindThickVoxels(double enough) const
         {
           const IndexType             voxel{ (run.first + run.last) / 2, y, z };
           const std::array<double, 3> widths{ measure(voxel, 0), measure(voxel, 1), measure(voxel, 2) };
-          // The sum decides between equals.
-          const double width =
-            *std::min_element(widths.begin(), widths.end()) + 1e-3 * (widths[0] + widths[1] + widths[2]);
-          if (width > best[run.component])
+          // Between equals the sum decides, for grey values their height above the level.
+          const double                    width = *std::min_element(widths.begin(), widths.end());
+          const std::pair<double, double> thickness =
+            m_Model == ModelEnum::GREY ? std::make_pair(width, this->GetVoxelValue(voxel[0], voxel[1], voxel[2]))
+                                       : std::make_pair(width + 1e-3 * (widths[0] + widths[1] + widths[2]), 0.0);
+          if (thickness > best[run.component])
           {
-            best[run.component] = width;
+            best[run.component] = thickness;
             thickest[run.component] = voxel;
           }
         }
