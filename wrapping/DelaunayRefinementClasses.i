@@ -1,0 +1,134 @@
+// What SWIG adds to the classes of this module.
+
+%{
+#include "itkDelaunayRefinementPythonRun.h"
+%}
+
+// Both classes run with Python's lock released and heed its signals, Ctrl-C for one. A run that starts at the end of a
+// longer pipeline of other classes stops as well, but ends in that class's RuntimeError.
+%define DECL_DELAUNAY_REFINEMENT_RUN(swig_name)
+%feature("pythonappend") swig_name::New %{
+        val._WatchSignals()
+%}
+%extend swig_name
+{
+  void
+  _WatchSignals()
+  {
+    itk::DelaunayRefinementPythonSignalWatch::Attach(self);
+  }
+
+  PyObject *
+  _Run(bool largestRegion)
+  {
+    return itk::RunForPython(self, [self, largestRegion] {
+      if (largestRegion)
+      {
+        self->UpdateLargestPossibleRegion();
+      }
+      else
+      {
+        self->Update();
+      }
+    });
+  }
+
+  %pythoncode %{
+    def Update(self):
+        """Bring the output up to date. Ctrl-C raises KeyboardInterrupt within a second."""
+        self._Run(False)
+
+    def UpdateLargestPossibleRegion(self):
+        """Bring the output up to date, as Update() does."""
+        self._Run(True)
+  %}
+}
+%enddef
+
+%define DECL_TETRAHEDRAL_MESH_WRITER(swig_name)
+DECL_DELAUNAY_REFINEMENT_RUN(swig_name)
+%feature("docstring") swig_name "
+Writes a mesh of tetrahedra, or of triangles, to a file.
+
+    itk.tetrahedral_mesh_writer(mesh, file_name='mesh.vtu')
+
+file_name : str
+    Its ending is the format. Tetrahedra: .vtu or .vtk; triangles: .vtp, .vtk,
+    .stl or .ply.
+
+Points are written in double precision (in .stl and .ply in single precision),
+whole numbers in the cell data as the array 'label'. A run that fails or is
+stopped leaves no file behind, and a file of that name as it was. RuntimeError
+says what to change.
+"
+%extend swig_name
+{
+  %pythoncode %{
+    def Write(self):
+        """Bring the mesh up to date and write it."""
+        self._Run(False)
+  %}
+}
+%enddef
+
+%define DECL_DELAUNAY_REFINEMENT_MESH_FILTER(swig_name)
+DECL_DELAUNAY_REFINEMENT_RUN(swig_name)
+%feature("docstring") swig_name "
+Turns a segmented 3D image into a tetrahedral mesh of guaranteed quality.
+
+    mesh = itk.delaunay_refinement_mesh_filter(image, delta=3.0)
+
+returns an itk.Mesh[itk.D, 3] in the image's physical space (spacing, origin
+and direction apply), with the label inside each tetrahedron as cell data.
+ttype=(type(image), itk.Mesh[itk.F, 3]) asks for the other type of mesh; both
+store coordinates as float, and the guarantees hold for the stored points.
+The class, itk.DelaunayRefinementMeshFilter, also has the triangles of the
+boundary (GetBoundaryOutput) and what happened (GetWarnings,
+GetEffectiveDelta). itk.arrays_from_tetrahedral_mesh(mesh) gives NumPy arrays.
+
+Lengths are in the image's physical unit, mm as a rule.
+
+What is the object (by default: every voxel of an image of integers but 0):
+
+labels : list of int, default: all but 0
+    Only voxels with these labels.
+merge_labels : bool, default: False
+    Several labels become one object; without it they are refused.
+lower_threshold, upper_threshold : float, pixel values, default: unset
+    Voxels in the range, ends included; one end may be left out.
+iso_value : float, pixel value, default: unset
+    All points where the interpolated value is at or above it.
+interpolator : itk.InterpolateImageFunction, default: linear
+    Where the surface runs between the centers of voxels.
+largest_component_only : bool, default: False
+    Only the 18-connected component with the most voxels.
+minimum_component_size : int, voxels, default: 1
+    Smaller components are left out.
+
+How fine:
+
+delta : float, mm, default: from the spacing and the size of the object
+    Density of vertices on the surface: every point of it has one within
+    delta. The default makes some 300,000 tetrahedra at most.
+cell_size : float, mm, default: inf
+    Upper bound on the circumradius of tetrahedra.
+radius_edge_ratio_bound : float, default: 2.0, at least 1
+    Upper bound on circumradius over shortest edge. Below 2 the boundary may
+    leave the surface.
+minimum_dihedral_angle : float, degrees, default: 0.0 (off), below 60
+    Tetrahedra with smaller dihedral angles are split as far as edges allow.
+maximum_number_of_vertices : int, default: no limit
+    Gives up, without a mesh, before there are more vertices.
+
+RuntimeError says what to change. Ctrl-C raises KeyboardInterrupt.
+"
+%extend swig_name
+{
+  %pythoncode %{
+    def __internal_call__(self):
+        """Run, and return the mesh of tetrahedra alone."""
+        self.UpdateLargestPossibleRegion()
+        return self.GetOutput()
+  %}
+}
+%enddef
