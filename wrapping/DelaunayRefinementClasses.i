@@ -45,7 +45,7 @@
 }
 %enddef
 
-%define DECL_TETRAHEDRAL_MESH_WRITER(swig_name)
+%define DECL_TETRAHEDRAL_MESH_WRITER(swig_name, swig_mesh_name)
 DECL_DELAUNAY_REFINEMENT_RUN(swig_name)
 %feature("docstring") swig_name "
 Writes a mesh of tetrahedra, or of triangles, to a file.
@@ -63,6 +63,12 @@ says what to change.
 "
 %extend swig_name
 {
+  static PyObject *
+  _CopyCells(const swig_mesh_name * mesh)
+  {
+    return itk::CopyCellsForPython(mesh);
+  }
+
   %pythoncode %{
     def Write(self):
         """Bring the mesh up to date and write it."""

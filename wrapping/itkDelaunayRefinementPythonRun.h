@@ -19,10 +19,13 @@
 #define itkDelaunayRefinementPythonRun_h
 
 // Python.h comes first, from SWIG.
+#include "itkCellInterface.h"
 #include "itkCommand.h"
 #include "itkProcessObject.h"
 
+#include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <new>
 #include <string>
 
@@ -212,6 +215,45 @@ RunForPython(ProcessObject * process, const TUpdate & update)
     PyErr_SetString(type, message.c_str());
   }
   return nullptr;
+}
+
+/** The point indices of all cells, which must be tetrahedra, or must be triangles, as 64-bit integers in a bytearray;
+ * nullptr with Python's error set if they are neither. ITK's own way by GetCellsArray() takes twenty times as long. */
+template <typename TMesh>
+PyObject *
+CopyCellsForPython(const TMesh * mesh)
+{
+  const auto * cells = mesh->GetCells();
+  if (cells == nullptr || cells->Size() == 0)
+  {
+    PyErr_SetString(PyExc_ValueError, "The mesh has no cells");
+    return nullptr;
+  }
+  const auto kind = cells->Begin().Value()->GetType();
+  bool       isKnown = kind == CellGeometryEnum::TETRAHEDRON_CELL || kind == CellGeometryEnum::TRIANGLE_CELL;
+  const std::size_t step = kind == CellGeometryEnum::TETRAHEDRON_CELL ? 4 : 3;
+  PyObject *        bytes =
+    PyByteArray_FromStringAndSize(nullptr, static_cast<Py_ssize_t>(cells->Size() * step * sizeof(std::int64_t)));
+  if (bytes == nullptr)
+  {
+    return nullptr;
+  }
+  auto * to = reinterpret_cast<std::int64_t *>(PyByteArray_AsString(bytes));
+  for (auto cell = cells->Begin(); isKnown && cell != cells->End(); ++cell)
+  {
+    isKnown = cell.Value()->GetType() == kind;
+    if (isKnown)
+    {
+      to = std::copy_n(cell.Value()->PointIdsBegin(), step, to);
+    }
+  }
+  if (!isKnown)
+  {
+    Py_DECREF(bytes);
+    PyErr_SetString(PyExc_ValueError, "The mesh has cells that are neither all tetrahedra nor all triangles");
+    return nullptr;
+  }
+  return bytes;
 }
 } // end namespace itk
 

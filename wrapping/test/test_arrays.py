@@ -16,8 +16,8 @@ def test_arrays_are_those_of_the_mesh():
     for i in (0, len(points) - 1):
         assert tuple(points[i]) == tuple(mesh.GetPoint(i))
     for i in (0, len(cells) // 2, len(cells) - 1):
-        ids = mesh.GetCell(i).GetPointIds()
-        assert [ids.GetElement(k) if hasattr(ids, "GetElement") else ids[k] for k in range(4)] == list(cells[i])
+        ids = mesh.GetCells().GetElement(i).GetPointIdsContainer()
+        assert [ids.GetElement(k) for k in range(4)] == list(cells[i])
 
 
 def test_arrays_outlive_the_mesh():
@@ -53,8 +53,8 @@ def test_other_meshes_are_refused():
         itk.arrays_from_tetrahedral_mesh(itk.Mesh[itk.D, 3].New())
     mesh = itk.Mesh[itk.D, 3].New()
     mesh.SetPoints(itk.vector_container_from_array(np.zeros(12, np.float32)))
-    # A tetrahedron (type 4) and a triangle (type 2).
-    cells = np.array([4, 4, 0, 1, 2, 3, 2, 3, 0, 1, 2], np.uint64)
+    # A tetrahedron (type 5) and a triangle (type 2).
+    cells = np.array([5, 4, 0, 1, 2, 3, 2, 3, 0, 1, 2], np.uint64)
     mesh.SetCellsArray(itk.vector_container_from_array(cells))
     with pytest.raises(ValueError, match="neither all tetrahedra nor all triangles"):
         itk.arrays_from_tetrahedral_mesh(mesh)

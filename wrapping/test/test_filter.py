@@ -222,7 +222,7 @@ def test_warnings_name_what_is_missing():
     filter = itk.DelaunayRefinementMeshFilter.New(make_image(values), delta=2.0)
     filter.Update()
     (warning,) = filter.GetWarnings()
-    assert warning.startswith("1 of 2 components is too small for Delta 2 mm")
+    assert warning.endswith("too small for Delta 2 mm and missing in the mesh: 1 voxel at (27, 12, 12)")
 
 
 def test_progress_rises_to_1():
