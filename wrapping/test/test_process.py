@@ -1,5 +1,6 @@
 """What a process sees: threads, memory, pickles, other libraries' VTK."""
 
+import importlib.metadata
 import pickle
 import subprocess
 import sys
@@ -94,6 +95,16 @@ def test_a_hundred_runs_do_not_grow_the_process():
     print(f"{before} kB after 20 runs, {after} kB after 120")
     one_mesh = 4000
     assert after - before < 5 * one_mesh
+
+
+def test_metadata():
+    metadata = importlib.metadata.metadata("itk-delaunayrefinement")
+    assert metadata["License-Expression"] == "Apache-2.0 AND BSD-3-Clause AND LGPL-3.0-or-later"
+    assert metadata["Requires-Python"] == ">=3.11"
+    files = importlib.metadata.files("itk-delaunayrefinement")
+    assert {"LGPL-3.0.txt", "GPL-3.0.txt", "LICENSES.md", "LICENSE"} <= {file.name for file in files}
+    # Under names that no other VTK in the process has.
+    assert not any(file.name.endswith("-9.1.so.1") for file in files)
 
 
 WRITE = """
