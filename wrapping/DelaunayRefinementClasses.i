@@ -128,6 +128,9 @@ maximum_number_of_vertices : int, default: no limit
 
 RuntimeError says what to change. Ctrl-C raises KeyboardInterrupt.
 "
+// Plain structures, which ITK's wrapping does not know.
+%ignore swig_name::GetStatistics;
+%ignore swig_name::GetComponents;
 %extend swig_name
 {
   %pythoncode %{

@@ -229,8 +229,8 @@ CopyCellsForPython(const TMesh * mesh)
     PyErr_SetString(PyExc_ValueError, "The mesh has no cells");
     return nullptr;
   }
-  const auto kind = cells->Begin().Value()->GetType();
-  bool       isKnown = kind == CellGeometryEnum::TETRAHEDRON_CELL || kind == CellGeometryEnum::TRIANGLE_CELL;
+  const auto        kind = cells->Begin().Value()->GetType();
+  bool              isKnown = kind == CellGeometryEnum::TETRAHEDRON_CELL || kind == CellGeometryEnum::TRIANGLE_CELL;
   const std::size_t step = kind == CellGeometryEnum::TETRAHEDRON_CELL ? 4 : 3;
   PyObject *        bytes =
     PyByteArray_FromStringAndSize(nullptr, static_cast<Py_ssize_t>(cells->Size() * step * sizeof(std::int64_t)));

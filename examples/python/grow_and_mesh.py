@@ -34,8 +34,6 @@ else:
     label = int(region.GetPixel(seed))
 share = np.mean(itk.array_view_from_image(region) == label)
 print(f"The region is {share:.1%} of the image")
-mesh = itk.delaunay_refinement_mesh_filter(
-    region, labels=[label], delta=arguments.delta, largest_component_only=True
-)
+mesh = itk.delaunay_refinement_mesh_filter(region, labels=[label], delta=arguments.delta, largest_component_only=True)
 itk.tetrahedral_mesh_writer(mesh, file_name=arguments.output)
 print(f"{mesh.GetNumberOfCells()} tetrahedra with the label {label} in {arguments.output}")

@@ -184,9 +184,7 @@ def test_physical_space():
     assert indices.min(axis=0) == pytest.approx([5.5, 4.5, 3.5], abs=0.3)
     assert indices.max(axis=0) == pytest.approx([11.5, 19.5, 8.5], abs=0.3)
     triangles = boundary_triangles(arrays(mesh).cells)
-    assert enclosed_volume(arrays(mesh).points, triangles) == pytest.approx(
-        volumes(*arrays(mesh)[:2]).sum(), rel=1e-4
-    )
+    assert enclosed_volume(arrays(mesh).points, triangles) == pytest.approx(volumes(*arrays(mesh)[:2]).sum(), rel=1e-4)
 
 
 def test_array_is_taken_as_an_image():
@@ -210,9 +208,7 @@ def test_boundary_output():
     assert boundary.cells.shape[1] == 3
     assert set(boundary.labels) == {9}
     assert len(boundary.cells) == len(boundary_triangles(tetrahedra.cells))
-    assert enclosed_volume(boundary.points, boundary.cells) == pytest.approx(
-        volumes(*tetrahedra[:2]).sum(), rel=1e-4
-    )
+    assert enclosed_volume(boundary.points, boundary.cells) == pytest.approx(volumes(*tetrahedra[:2]).sum(), rel=1e-4)
 
 
 def test_warnings_name_what_is_missing():

@@ -131,11 +131,15 @@ def test_vtk_of_others_in_one_process(tmp_path, order):
     make = "import sys; folder = sys.argv[1]; import itk, numpy; a = numpy.zeros((12, 12, 12), 'uint8')\n"
     make += "a[2:9, 2:9, 2:9] = 1\nimage = itk.image_from_array(a)\n"
     ours, theirs = "itk.DelaunayRefinementMeshFilter\n", "import vtk\nvtk.vtkSphereSource().Update()\n"
-    program = {
-        "vtk first": theirs + make + ours + WRITE,
-        "ours first": make + ours + theirs + WRITE,
-        "vtk after a file": make + WRITE + theirs,
-    }[order] + READ + WRITE
+    program = (
+        {
+            "vtk first": theirs + make + ours + WRITE,
+            "ours first": make + ours + theirs + WRITE,
+            "vtk after a file": make + WRITE + theirs,
+        }[order]
+        + READ
+        + WRITE
+    )
     result = subprocess.run([sys.executable, "-c", program, str(tmp_path)], capture_output=True, text=True)
     assert result.returncode == 0, result.stderr
     assert result.stdout.strip() != "9.1.0" and result.stderr == ""
