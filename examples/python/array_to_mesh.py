@@ -20,22 +20,22 @@ x, y, z = (i - 31.5) * spacing[0], (j - 31.5) * spacing[1], (k - 9.5) * spacing[
 torus = (np.hypot(np.hypot(x, y) - 20.0, z) < 8.0).astype(np.uint8)
 
 angle = math.radians(30.0)
+origin = np.array([100.0, -50.0, 20.0])
+direction = np.array(
+    [
+        [math.cos(angle), 0.0, math.sin(angle)],
+        [0.0, 1.0, 0.0],
+        [-math.sin(angle), 0.0, math.cos(angle)],
+    ]
+)
 image = itk.image_from_array(torus)
 image.SetSpacing(spacing)
-image.SetOrigin([100.0, -50.0, 20.0])
-image.SetDirection(
-    np.array(
-        [
-            [math.cos(angle), 0.0, math.sin(angle)],
-            [0.0, 1.0, 0.0],
-            [-math.sin(angle), 0.0, math.cos(angle)],
-        ]
-    )
-)
+image.SetOrigin(origin)
+image.SetDirection(direction)
 mesh = itk.delaunay_refinement_mesh_filter(image, delta=2.0)
 points, tetrahedra, labels = itk.arrays_from_tetrahedral_mesh(mesh)
 itk.tetrahedral_mesh_writer(mesh, file_name=arguments.output)
 
-center = np.array(image.TransformContinuousIndexToPhysicalPoint([31.5, 31.5, 9.5]))
+center = origin + direction @ (spacing * [31.5, 31.5, 9.5])
 print(f"{len(tetrahedra)} tetrahedra around {points.mean(axis=0)}; the torus is centered at {center}")
 assert np.linalg.norm(points.mean(axis=0) - center) < 0.5

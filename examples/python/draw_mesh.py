@@ -28,9 +28,20 @@ ours = {"show_edges": True, "edge_color": "#404040", "line_width": 0.5}
 for name, what, options in (
     ("surface", surface, {"color": "#e8c8b0", **ours}),
     ("cut", cut, {"color": "#e8c8b0", **ours}),
-    ("quality", cut, {"scalars": "radius-edge ratio", "clim": (0.6, 2.0), "cmap": "viridis", **ours}),
+    (
+        "quality",
+        cut,
+        {
+            "scalars": "radius-edge ratio",
+            "clim": (0.6, 2.0),
+            "cmap": "viridis",
+            "scalar_bar_args": {"vertical": True},
+            **ours,
+        },
+    ),
 ):
     plotter = pyvista.Plotter(off_screen=True, window_size=(900, 700))
     plotter.add_mesh(what, **options)
     plotter.view_yz(negative=False)
+    plotter.camera.zoom(1.4)
     plotter.screenshot(f"{arguments.prefix}-{name}.png")

@@ -34,6 +34,7 @@ grid.write(arguments.output)
 if arguments.picture:
     plotter = pyvista.Plotter(off_screen=True, window_size=(900, 700))
     cut = pyvista.from_meshio(grid).clip("x", crinkle=True)
-    plotter.add_mesh(cut, scalars="u", cmap="viridis", scalar_bar_args={"title": "u (mm^2)"})
+    plotter.add_mesh(cut, scalars="u", cmap="viridis", scalar_bar_args={"title": "u (mm^2)", "vertical": True})
     plotter.view_yz(negative=False)
+    plotter.camera.zoom(1.4)
     plotter.screenshot(arguments.picture)

@@ -70,7 +70,7 @@ def test_poisson(brain_mesh, tmp_path):
 def test_elasticity(brain_mesh, tmp_path):
     run(tmp_path, "solve_elasticity.py", brain_mesh, "sagging.vtu", "--picture", "sagging.png")
     sag = pyvista.read(tmp_path / "sagging.vtu")["displacement"]
-    assert sag[:, 2].mean() < -1.0
+    assert sag[:, 2].mean() < -0.3
     assert picture_is_drawn(tmp_path / "sagging.png")
 
 
