@@ -92,8 +92,14 @@ public:
     const PyGILState_STATE lock = PyGILState_Ensure();
     if (PyErr_CheckSignals() != 0)
     {
+      PyObject * type;
+      PyObject * value;
+      PyObject * traceback;
+      PyErr_Fetch(&type, &value, &traceback);
       Self::Forget();
-      PyErr_Fetch(&s_Type, &s_Value, &s_Traceback);
+      s_Type = type;
+      s_Value = value;
+      s_Traceback = traceback;
       static_cast<ProcessObject *>(caller)->AbortGenerateDataOn();
     }
     PyGILState_Release(lock);
