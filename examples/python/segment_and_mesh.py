@@ -17,7 +17,10 @@ arguments = parser.parse_args()
 image = itk.imread(arguments.image)
 if arguments.between:
     lower, upper = arguments.between
-    mask = itk.binary_threshold_image_filter(image, lower_threshold=lower, upper_threshold=upper, inside_value=1)
+    types = (itk.Image[itk.F, 3], itk.Image[itk.UC, 3])
+    mask = itk.binary_threshold_image_filter(
+        image.astype(itk.F), lower_threshold=lower, upper_threshold=upper, inside_value=1, ttype=types
+    )
 else:
     # "Inside" is what is darker than the threshold.
     mask = itk.otsu_threshold_image_filter(image, inside_value=0, outside_value=1)
