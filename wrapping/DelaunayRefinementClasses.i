@@ -123,6 +123,9 @@ radius_edge_ratio_bound : float, default: 2.0, at least 1
     leave the surface.
 minimum_dihedral_angle : float, degrees, default: 0.0 (off), below 60
     Tetrahedra with smaller dihedral angles are split as far as edges allow.
+refine_outside : bool, default: False
+    Rule R2 of the paper outside the object too; no guarantee needs it, and it
+    takes twice as long.
 maximum_number_of_vertices : int, default: no limit
     Gives up, without a mesh, before there are more vertices.
 
