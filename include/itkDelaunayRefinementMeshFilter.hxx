@@ -619,7 +619,7 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::WarnOfComponents()
   {
     std::ostringstream text;
     text << missing.size() << " of " << m_Components.size()
-         << (missing.size() == 1 ? " component is" : " components are") << " too small for Delta " << m_EffectiveDelta
+         << (missing.size() == 1 ? " components is" : " components are") << " too small for Delta " << m_EffectiveDelta
          << " mm and missing in the mesh:";
     for (std::size_t i = 0; i < std::min(missing.size(), mostShown); ++i)
     {
