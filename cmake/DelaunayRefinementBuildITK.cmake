@@ -32,8 +32,10 @@ if(CCACHE_PROGRAM)
     -DCMAKE_C_COMPILER_LAUNCHER=${CCACHE_PROGRAM}
     -DCMAKE_CXX_COMPILER_LAUNCHER=${CCACHE_PROGRAM}
   )
-  # Another place gives the same objects.
-  set(ENV{CCACHE_BASEDIR} "${ITK_BUILD_DIR}")
+  # Another place gives the same objects, if the source moves along.
+  if(NOT DEFINED ENV{CCACHE_BASEDIR})
+    set(ENV{CCACHE_BASEDIR} "${ITK_BUILD_DIR}")
+  endif()
   set(ENV{CCACHE_NOHASHDIR} 1)
 endif()
 
