@@ -25,8 +25,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <ostream>
 #include <random>
 #include <set>
+#include <string>
 
 namespace
 {
@@ -163,14 +165,27 @@ MakeNearlyFlat(std::size_t number)
   return points;
 }
 
-class DelaunayRefinementTriangulation : public testing::TestWithParam<std::vector<PointType>>
+/** Points with a name for the tests' output. */
+struct PointSet
+{
+  std::string            name;
+  std::vector<PointType> points;
+};
+
+std::ostream &
+operator<<(std::ostream & out, const PointSet & set)
+{
+  return out << set.name;
+}
+
+class DelaunayRefinementTriangulation : public testing::TestWithParam<PointSet>
 {};
 } // namespace
 
 TEST_P(DelaunayRefinementTriangulation, InsertManyMakesTheCellsOfTheWitness)
 {
   TriangulationType triangulation;
-  ASSERT_TRUE(triangulation.InsertMany(GetParam(), keepGoing));
+  ASSERT_TRUE(triangulation.InsertMany(GetParam().points, keepGoing));
   ExpectSameAsWitness(triangulation);
   EXPECT_EQ(GetCells(triangulation).size(),
             static_cast<std::size_t>(std::count_if(triangulation.GetNewCells().begin(),
@@ -180,7 +195,7 @@ TEST_P(DelaunayRefinementTriangulation, InsertManyMakesTheCellsOfTheWitness)
 
 TEST_P(DelaunayRefinementTriangulation, InsertOneByOneMakesTheCellsOfTheWitness)
 {
-  const std::vector<PointType> & points = GetParam();
+  const std::vector<PointType> & points = GetParam().points;
   const auto                     half = points.begin() + static_cast<std::ptrdiff_t>(points.size() / 2);
   TriangulationType              triangulation;
   ASSERT_TRUE(triangulation.InsertMany({ points.begin(), half }, keepGoing));
@@ -206,9 +221,9 @@ TEST_P(DelaunayRefinementTriangulation, InsertOneByOneMakesTheCellsOfTheWitness)
 TEST_P(DelaunayRefinementTriangulation, RemoveLeavesTheCellsOfTheWitness)
 {
   // A box around keeps all others off the convex hull.
-  PointType minimum = GetParam().front();
+  PointType minimum = GetParam().points.front();
   PointType maximum = minimum;
-  for (const PointType & point : GetParam())
+  for (const PointType & point : GetParam().points)
   {
     for (unsigned int i = 0; i < 3; ++i)
     {
@@ -227,7 +242,7 @@ TEST_P(DelaunayRefinementTriangulation, RemoveLeavesTheCellsOfTheWitness)
   points.push_back({ maximum[0], minimum[1] + 2.0, minimum[2] + 3.0 });
   points.push_back({ maximum[0], minimum[1] + 3.0, maximum[2] - 2.0 });
   points.push_back({ minimum[0] + 1.0, minimum[1], maximum[2] - 1.0 });
-  points.insert(points.end(), GetParam().begin(), GetParam().end());
+  points.insert(points.end(), GetParam().points.begin(), GetParam().points.end());
   TriangulationType triangulation;
   ASSERT_TRUE(triangulation.InsertMany(points, keepGoing));
   std::mt19937 random(4);
@@ -249,7 +264,7 @@ TEST_P(DelaunayRefinementTriangulation, RemoveLeavesTheCellsOfTheWitness)
 TEST_P(DelaunayRefinementTriangulation, BallsGoThroughTheirVertices)
 {
   TriangulationType triangulation;
-  ASSERT_TRUE(triangulation.InsertMany(GetParam(), keepGoing));
+  ASSERT_TRUE(triangulation.InsertMany(GetParam().points, keepGoing));
   for (const IndexType cell : triangulation.GetNewCells())
   {
     const auto ball = triangulation.GetBall(cell);
@@ -271,8 +286,8 @@ TEST_P(DelaunayRefinementTriangulation, TheSameCallsGiveTheSameIndexes)
 {
   TriangulationType one;
   TriangulationType other;
-  ASSERT_TRUE(one.InsertMany(GetParam(), keepGoing));
-  ASSERT_TRUE(other.InsertMany(GetParam(), keepGoing));
+  ASSERT_TRUE(one.InsertMany(GetParam().points, keepGoing));
+  ASSERT_TRUE(other.InsertMany(GetParam().points, keepGoing));
   ASSERT_EQ(one.GetNewCells(), other.GetNewCells());
   for (const IndexType cell : one.GetNewCells())
   {
@@ -282,11 +297,12 @@ TEST_P(DelaunayRefinementTriangulation, TheSameCallsGiveTheSameIndexes)
 
 INSTANTIATE_TEST_SUITE_P(Points,
                          DelaunayRefinementTriangulation,
-                         testing::Values(MakeRandomPoints(2000),
-                                         MakeLattice(8),
-                                         MakeSphere(1000, 0.0),
-                                         MakeSphere(1000, 1e8),
-                                         MakeNearlyFlat(600)));
+                         testing::Values(PointSet{ "Random", MakeRandomPoints(2000) },
+                                         PointSet{ "Lattice", MakeLattice(8) },
+                                         PointSet{ "Sphere", MakeSphere(1000, 0.0) },
+                                         PointSet{ "SphereFarAway", MakeSphere(1000, 1e8) },
+                                         PointSet{ "NearlyFlat", MakeNearlyFlat(600) }),
+                         [](const auto & info) { return info.param.name; });
 
 TEST(DelaunayRefinementTriangulationStops, WhenItIsTold)
 {
