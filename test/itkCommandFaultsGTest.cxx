@@ -134,7 +134,9 @@ TEST_F(CommandFaults, InterruptsLeaveAllOrNothing)
     interrupt.milliseconds = static_cast<int>(whole * percent / 100);
     const CommandRun run = RunCommand(this->Arguments("0.5"), interrupt);
     EXPECT_EQ(m_Folder.List(), run.code == 0 ? m_All : m_Inputs) << run.messages;
-    EXPECT_TRUE(run.code == 0 || run.code == 1) << run.code;
+    // On a busy machine the signal may come while the program is still being loaded, and end it.
+    constexpr int endedBySignal = -1;
+    EXPECT_TRUE(run.code == 0 || run.code == 1 || (run.code == endedBySignal && run.messages.empty())) << run.code;
     EXPECT_LT(run.secondsAfterSignal, 1.0);
   }
 }
