@@ -39,28 +39,14 @@ DelaunayRefinementGeometry::ComputeCircumsphere(const PointType & a,
                                                 const PointType & c,
                                                 const PointType & d)
 {
-  const PointType u = Subtract(b, a);
-  const PointType v = Subtract(c, a);
-  const PointType w = Subtract(d, a);
-  const PointType vw = Cross(v, w);
-  const double    determinant = Dot(u, vw);
-  const double    uu = Dot(u, u);
-  const double    vv = Dot(v, v);
-  const double    ww = Dot(w, w);
-  const double    square = std::max({ uu, vv, ww });
-  const double    length = std::sqrt(square);
-  const double    rounding = std::numeric_limits<double>::epsilon() * square * (length + LargestCoordinate(a));
-  if (std::abs(determinant) < ReliableRoundings * rounding)
+  const RoundedSphereType rounded = ComputeRoundedCircumsphere(a, b, c, d);
+  const double            square = rounded.greatestSquare;
+  const double rounding = std::numeric_limits<double>::epsilon() * square * (std::sqrt(square) + LargestCoordinate(a));
+  if (std::abs(rounded.determinant) < ReliableRoundings * rounding)
   {
     return ComputeExactCircumsphere(a, b, c, d);
   }
-  const PointType wu = Cross(w, u);
-  const PointType uv = Cross(u, v);
-  const double    factor = 0.5 / determinant;
-  const PointType offset{ factor * (uu * vw[0] + vv * wu[0] + ww * uv[0]),
-                          factor * (uu * vw[1] + vv * wu[1] + ww * uv[1]),
-                          factor * (uu * vw[2] + vv * wu[2] + ww * uv[2]) };
-  return { AddScaled(a, 1.0, offset), Dot(offset, offset) };
+  return rounded.ball;
 }
 
 DelaunayRefinementGeometry::SphereType

@@ -20,6 +20,7 @@
 
 #include "itkDelaunayRefinementTypes.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace itk
@@ -94,6 +95,35 @@ public:
     PointType center;
     double    squaredRadius;
   };
+
+  /** A circumsphere in floating point, and what tells how far to trust it. */
+  struct RoundedSphereType
+  {
+    SphereType ball;
+    /** Six times the volume, and the square of the longest of the three edges at the first point. */
+    double determinant;
+    double greatestSquare;
+  };
+
+  static RoundedSphereType
+  ComputeRoundedCircumsphere(const PointType & a, const PointType & b, const PointType & c, const PointType & d)
+  {
+    const PointType u = Subtract(b, a);
+    const PointType v = Subtract(c, a);
+    const PointType w = Subtract(d, a);
+    const PointType vw = Cross(v, w);
+    const PointType wu = Cross(w, u);
+    const PointType uv = Cross(u, v);
+    const double    determinant = Dot(u, vw);
+    const double    uu = Dot(u, u);
+    const double    vv = Dot(v, v);
+    const double    ww = Dot(w, w);
+    const double    factor = 0.5 / determinant;
+    const PointType offset{ factor * (uu * vw[0] + vv * wu[0] + ww * uv[0]),
+                            factor * (uu * vw[1] + vv * wu[1] + ww * uv[1]),
+                            factor * (uu * vw[2] + vv * wu[2] + ww * uv[2]) };
+    return { { AddScaled(a, 1.0, offset), Dot(offset, offset) }, determinant, std::max({ uu, vv, ww }) };
+  }
 
   /** The sphere through four points that are not coplanar; exact before rounding where the points are nearly so. */
   static SphereType

@@ -42,6 +42,14 @@ constexpr unsigned int FacetVertices[4][3] = { { 1, 3, 2 }, { 0, 2, 3 }, { 0, 3,
 constexpr double FlattestDeciding = 1e-6;
 constexpr double SmallestDeciding = 1e-7;
 
+/** The vertices of a facet in the same sense, the smallest first. */
+std::array<IndexType, 3>
+RotateSmallestFirst(std::array<IndexType, 3> facet)
+{
+  std::rotate(facet.begin(), std::min_element(facet.begin(), facet.end()), facet.end());
+  return facet;
+}
+
 /** The side of a point that is exactly on a circumsphere, once all points are moved by amounts that fall off quickly in
  * lexicographical order. */
 bool
@@ -74,8 +82,6 @@ DelaunayRefinementTriangulation::DelaunayRefinementTriangulation()
   m_Points.push_back({});
   m_CellOfVertex.push_back(None);
 }
-
-DelaunayRefinementTriangulation::~DelaunayRefinementTriangulation() = default;
 
 bool
 DelaunayRefinementTriangulation::InsertMany(const std::vector<PointType> & points,
@@ -219,17 +225,11 @@ DelaunayRefinementTriangulation::Locate(const PointType & point, IndexType start
   IndexType previous = None;
   while (true)
   {
-    const CellType &                 current = m_Cells[cell];
-    std::array<const PointType *, 4> corners;
-    unsigned int                     infinite = 4;
-    for (unsigned int i = 0; i < 4; ++i)
-    {
-      corners[i] = &m_Points[current.vertices[i]];
-      infinite = current.vertices[i] == InfiniteVertex ? i : infinite;
-    }
+    const CellType &   current = m_Cells[cell];
+    CornersType        corners;
+    const unsigned int infinite = this->GetCorners(cell, point, corners);
     if (infinite < 4)
     {
-      corners[infinite] = &point;
       if (previous != None || Predicates::Orientation(*corners[0], *corners[1], *corners[2], *corners[3]) > 0)
       {
         return cell;
@@ -260,23 +260,29 @@ DelaunayRefinementTriangulation::Locate(const PointType & point, IndexType start
   }
 }
 
+unsigned int
+DelaunayRefinementTriangulation::GetCorners(IndexType cell, const PointType & point, CornersType & corners) const
+{
+  unsigned int infinite = 4;
+  for (unsigned int i = 0; i < 4; ++i)
+  {
+    const IndexType vertex = m_Cells[cell].vertices[i];
+    corners[i] = vertex == InfiniteVertex ? &point : &m_Points[vertex];
+    infinite = vertex == InfiniteVertex ? i : infinite;
+  }
+  return infinite;
+}
+
 bool
 DelaunayRefinementTriangulation::IsInConflictExactly(IndexType cell, const PointType & point) const
 {
-  const CellType &                 candidate = m_Cells[cell];
-  std::array<const PointType *, 4> corners;
-  unsigned int                     infinite = 4;
-  for (unsigned int i = 0; i < 4; ++i)
-  {
-    corners[i] = &m_Points[candidate.vertices[i]];
-    infinite = candidate.vertices[i] == InfiniteVertex ? i : infinite;
-  }
+  CornersType        corners;
+  const unsigned int infinite = this->GetCorners(cell, point, corners);
   if (infinite < 4)
   {
-    corners[infinite] = &point;
     const int side = Predicates::Orientation(*corners[0], *corners[1], *corners[2], *corners[3]);
     // In the plane of the facet, the circumsphere of the cell behind it decides.
-    return side != 0 ? side > 0 : this->IsInConflict(candidate.neighbors[infinite], point);
+    return side != 0 ? side > 0 : this->IsInConflict(m_Cells[cell].neighbors[infinite], point);
   }
   const int side = Predicates::ExactSideOfSphere(*corners[0], *corners[1], *corners[2], *corners[3], point);
   return side != 0 ? side > 0 : IsInsidePerturbed(corners, point);
@@ -463,11 +469,9 @@ DelaunayRefinementTriangulation::FindStar(IndexType vertex)
 DelaunayRefinementTriangulation::OrientedFacetType
 DelaunayRefinementTriangulation::GetOrientedFacet(IndexType cell, unsigned int slot) const
 {
-  const auto &             v = m_Cells[cell].vertices;
-  const auto &             slots = FacetVertices[slot];
-  std::array<IndexType, 3> vertices{ v[slots[0]], v[slots[1]], v[slots[2]] };
-  std::rotate(vertices.begin(), std::min_element(vertices.begin(), vertices.end()), vertices.end());
-  return { vertices, cell, static_cast<std::uint8_t>(slot) };
+  const auto & v = m_Cells[cell].vertices;
+  const auto & slots = FacetVertices[slot];
+  return { RotateSmallestFirst({ v[slots[0]], v[slots[1]], v[slots[2]] }), cell, static_cast<std::uint8_t>(slot) };
 }
 
 void
@@ -490,33 +494,33 @@ DelaunayRefinementTriangulation::Remove(IndexType vertex)
   {
     points.push_back(m_Points[around[i]]);
   }
-  m_Local = std::make_unique<DelaunayRefinementTriangulation>();
-  m_Local->InsertMany(points, [] { return true; });
+  DelaunayRefinementTriangulation filler;
+  filler.InsertMany(points, [] { return true; });
   const auto toLocal = [&around](IndexType global) {
     return static_cast<IndexType>(std::lower_bound(around.begin(), around.end(), global) - around.begin());
   };
 
   std::vector<OrientedFacetType> facets;
-  for (const IndexType cell : m_Local->m_NewCells)
+  for (const IndexType cell : filler.m_NewCells)
   {
     for (unsigned int slot = 0; slot < 4; ++slot)
     {
-      facets.push_back(m_Local->GetOrientedFacet(cell, slot));
+      facets.push_back(filler.GetOrientedFacet(cell, slot));
     }
   }
   std::sort(facets.begin(), facets.end());
 
   constexpr IndexType                   unknown = None;
-  std::vector<IndexType>                globals(m_Local->m_Cells.size(), unknown);
-  std::vector<std::array<IndexType, 4>> beyond(m_Local->m_Cells.size(), { unknown, unknown, unknown, unknown });
+  std::vector<IndexType>                globals(filler.m_Cells.size(), unknown);
+  std::vector<std::array<IndexType, 4>> beyond(filler.m_Cells.size(), { unknown, unknown, unknown, unknown });
   std::vector<IndexType>                filling;
   for (std::size_t i = 0; i < m_Boundary.size(); ++i)
   {
-    const auto &      v = m_Boundary[i].vertices;
-    const auto &      slots = FacetVertices[m_Boundary[i].slot];
-    OrientedFacetType wanted{ { toLocal(v[slots[0]]), toLocal(v[slots[1]]), toLocal(v[slots[2]]) }, unknown, 0 };
-    std::rotate(
-      wanted.vertices.begin(), std::min_element(wanted.vertices.begin(), wanted.vertices.end()), wanted.vertices.end());
+    const auto &            v = m_Boundary[i].vertices;
+    const auto &            slots = FacetVertices[m_Boundary[i].slot];
+    const OrientedFacetType wanted{
+      RotateSmallestFirst({ toLocal(v[slots[0]]), toLocal(v[slots[1]]), toLocal(v[slots[2]]) }), unknown, 0
+    };
     const auto found = std::lower_bound(facets.begin(), facets.end(), wanted);
     assert(found != facets.end() && found->vertices == wanted.vertices);
     beyond[found->cell][found->slot] = static_cast<IndexType>(i);
@@ -530,7 +534,7 @@ DelaunayRefinementTriangulation::Remove(IndexType vertex)
   {
     for (unsigned int slot = 0; slot < 4; ++slot)
     {
-      const IndexType neighbor = m_Local->m_Cells[filling[i]].neighbors[slot];
+      const IndexType neighbor = filler.m_Cells[filling[i]].neighbors[slot];
       if (beyond[filling[i]][slot] == unknown && globals[neighbor] == unknown)
       {
         globals[neighbor] = 0;
@@ -555,10 +559,10 @@ DelaunayRefinementTriangulation::Remove(IndexType vertex)
     CellType & cell = m_Cells[globals[local]];
     for (unsigned int slot = 0; slot < 4; ++slot)
     {
-      cell.vertices[slot] = around[m_Local->m_Cells[local].vertices[slot]];
+      cell.vertices[slot] = around[filler.m_Cells[local].vertices[slot]];
       if (beyond[local][slot] == unknown)
       {
-        cell.neighbors[slot] = globals[m_Local->m_Cells[local].neighbors[slot]];
+        cell.neighbors[slot] = globals[filler.m_Cells[local].neighbors[slot]];
       }
       else
       {
@@ -611,7 +615,6 @@ DelaunayRefinementTriangulation::UpdateCellOfVertices(IndexType cell)
 void
 DelaunayRefinementTriangulation::ComputeBall(IndexType index)
 {
-  using Geometry = DelaunayRefinementGeometry;
   CellType & cell = m_Cells[index];
   cell.center = {};
   cell.signedSquaredRadius = 0.0;
@@ -620,27 +623,15 @@ DelaunayRefinementTriangulation::ComputeBall(IndexType index)
     return;
   }
   const PointType & a = m_Points[cell.vertices[0]];
-  const PointType   u = Geometry::Subtract(m_Points[cell.vertices[1]], a);
-  const PointType   v = Geometry::Subtract(m_Points[cell.vertices[2]], a);
-  const PointType   w = Geometry::Subtract(m_Points[cell.vertices[3]], a);
-  const PointType   vw = Geometry::Cross(v, w);
-  const PointType   wu = Geometry::Cross(w, u);
-  const PointType   uv = Geometry::Cross(u, v);
-  const double      determinant = Geometry::Dot(u, vw);
-  const double      uu = Geometry::Dot(u, u);
-  const double      vv = Geometry::Dot(v, v);
-  const double      ww = Geometry::Dot(w, w);
-  const double      factor = 0.5 / determinant;
-  const PointType   offset{ factor * (uu * vw[0] + vv * wu[0] + ww * uv[0]),
-                          factor * (uu * vw[1] + vv * wu[1] + ww * uv[1]),
-                          factor * (uu * vw[2] + vv * wu[2] + ww * uv[2]) };
-  const double      squaredRadius = Geometry::Dot(offset, offset);
-  const double      square = std::max({ uu, vv, ww });
-  const double      far = SmallestDeciding * std::max({ std::abs(a[0]), std::abs(a[1]), std::abs(a[2]) });
-  cell.center = Geometry::AddScaled(a, 1.0, offset);
-  const bool isDeciding =
-    determinant * determinant > FlattestDeciding * FlattestDeciding * square * square * square && square > far * far;
-  cell.signedSquaredRadius = isDeciding ? squaredRadius : -squaredRadius;
+  const auto        rounded = DelaunayRefinementGeometry::ComputeRoundedCircumsphere(
+    a, m_Points[cell.vertices[1]], m_Points[cell.vertices[2]], m_Points[cell.vertices[3]]);
+  const double square = rounded.greatestSquare;
+  const double far = SmallestDeciding * std::max({ std::abs(a[0]), std::abs(a[1]), std::abs(a[2]) });
+  const bool   isDeciding =
+    rounded.determinant * rounded.determinant > FlattestDeciding * FlattestDeciding * square * square * square &&
+    square > far * far;
+  cell.center = rounded.ball.center;
+  cell.signedSquaredRadius = isDeciding ? rounded.ball.squaredRadius : -rounded.ball.squaredRadius;
 }
 
 void

@@ -20,8 +20,6 @@
 
 #include "itkDelaunayRefinementGeometry.h"
 
-#include <memory>
-
 namespace itk
 {
 /** \class DelaunayRefinementTriangulation
@@ -56,7 +54,6 @@ public:
   };
 
   DelaunayRefinementTriangulation();
-  ~DelaunayRefinementTriangulation();
 
   /** Inserts the first points, at least four that are not coplanar and none twice, in an order of its own. Point i
    * becomes vertex i + 1. False if \c keepGoing, asked now and then, said so; the triangulation is of no use then. */
@@ -230,6 +227,13 @@ private:
   void
   AddBoundary(IndexType cell, unsigned int slot);
 
+  using CornersType = std::array<const PointType *, 4>;
+
+  /** The points of a cell's vertices. Of an infinite cell \c point takes the infinite vertex's place: positively
+   * oriented then if it is beyond the facet. Returns the infinite vertex's slot, 4 if there is none. */
+  unsigned int
+  GetCorners(IndexType cell, const PointType & point, CornersType & corners) const;
+
   OrientedFacetType
   GetOrientedFacet(IndexType cell, unsigned int slot) const;
 
@@ -263,15 +267,14 @@ private:
   std::vector<IndexType>     m_NewCells{};
 
   // Scratch of single calls.
-  std::vector<IndexType>                           m_Cavity{};
-  std::vector<BoundaryType>                        m_Boundary{};
-  std::vector<std::uint32_t>                       m_CellMarks{};
-  std::uint32_t                                    m_Mark{ 0 };
-  std::vector<std::uint64_t>                       m_VertexPlaces{};
-  std::uint32_t                                    m_NumberOfStars{ 0 };
-  std::vector<IndexType>                           m_Matrix{};
-  std::vector<SharedEdgeType>                      m_SharedEdges{};
-  std::unique_ptr<DelaunayRefinementTriangulation> m_Local{};
+  std::vector<IndexType>      m_Cavity{};
+  std::vector<BoundaryType>   m_Boundary{};
+  std::vector<std::uint32_t>  m_CellMarks{};
+  std::uint32_t               m_Mark{ 0 };
+  std::vector<std::uint64_t>  m_VertexPlaces{};
+  std::uint32_t               m_NumberOfStars{ 0 };
+  std::vector<IndexType>      m_Matrix{};
+  std::vector<SharedEdgeType> m_SharedEdges{};
 };
 } // end namespace itk
 
