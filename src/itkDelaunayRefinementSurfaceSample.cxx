@@ -125,7 +125,10 @@ DelaunayRefinementSurfaceSample::CollectPatches(std::vector<DelaunayRefinementPa
 }
 
 DelaunayRefinementSurfaceSample::OutcomeEnum
-DelaunayRefinementSurfaceSample::Sample(const PatchType & patch, bool isUniform, DelaunayRefinementPatchCover & cover)
+DelaunayRefinementSurfaceSample::Sample(const PatchType &              patch,
+                                        bool                           isUniform,
+                                        DelaunayRefinementPatchCover & cover,
+                                        std::vector<PointType> &       points)
 {
   PointType point;
   if (!m_Oracle.FindPointOfPatch(patch, point))
@@ -143,7 +146,7 @@ DelaunayRefinementSurfaceSample::Sample(const PatchType & patch, bool isUniform,
     std::transform(point.begin(), point.end(), point.begin(), Geometry::RoundToFloat);
   }
   m_Grid.Add(point);
-  m_NewPoints.push_back(point);
+  points.push_back(point);
   cover.CoverFrom(point);
   return OutcomeEnum::INSERTED;
 }
@@ -152,6 +155,7 @@ bool
 DelaunayRefinementSurfaceSample::CoverByParts(const PatchType &              patch,
                                               bool                           isUniform,
                                               DelaunayRefinementPatchCover & cover,
+                                              std::vector<PointType> &       points,
                                               const std::function<bool()> &  mayVisit)
 {
   m_Nearby.clear();
@@ -184,11 +188,11 @@ DelaunayRefinementSurfaceSample::CoverByParts(const PatchType &              pat
     const double hopeful = delta - HopefulShare * part.radius;
     if (!(hopeful > 0.0 && squaredNearest <= hopeful * hopeful) || part.radius < SmallestPatch * delta)
     {
-      const OutcomeEnum outcome = this->Sample(part, isUniform, cover);
+      const OutcomeEnum outcome = this->Sample(part, isUniform, cover, points);
       if (outcome == OutcomeEnum::INSERTED)
       {
-        m_Nearby.push_back(m_NewPoints.back());
-        if (DelaunayRefinementPatchCover::IsWithin(part, delta, m_NewPoints.back()))
+        m_Nearby.push_back(points.back());
+        if (DelaunayRefinementPatchCover::IsWithin(part, delta, points.back()))
         {
           continue;
         }
@@ -239,7 +243,7 @@ DelaunayRefinementSurfaceSample::Certify(std::vector<PointType> & points, const 
     if (!cover.IsCovered(i))
     {
       const auto & entry = cover.GetEntry(i);
-      if (this->Sample(entry.patch, entry.isUniform, cover) == OutcomeEnum::DONE)
+      if (this->Sample(entry.patch, entry.isUniform, cover, points) == OutcomeEnum::DONE)
       {
         cover.SetCovered(i);
       }
@@ -248,13 +252,11 @@ DelaunayRefinementSurfaceSample::Certify(std::vector<PointType> & points, const 
   for (std::size_t i = 0; i < cover.GetNumberOfPatches(); ++i)
   {
     const auto & entry = cover.GetEntry(i);
-    if (!cover.IsCovered(i) && !this->CoverByParts(entry.patch, entry.isUniform, cover, mayVisit))
+    if (!cover.IsCovered(i) && !this->CoverByParts(entry.patch, entry.isUniform, cover, points, mayVisit))
     {
       return false;
     }
   }
-  points.insert(points.end(), m_NewPoints.begin(), m_NewPoints.end());
-  m_NewPoints.clear();
   return true;
 }
 } // end namespace itk

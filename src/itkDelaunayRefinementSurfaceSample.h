@@ -81,15 +81,19 @@ private:
     DONE // the patch holds no surface, or is negligible
   };
 
-  /** Inserts a point of a patch, last in m_NewPoints, unless a vertex is too near. */
+  /** Inserts a point of a patch, last in \c points, unless a vertex is too near. */
   OutcomeEnum
-  Sample(const PatchType & patch, bool isUniform, DelaunayRefinementPatchCover & cover);
+  Sample(const PatchType &              patch,
+         bool                           isUniform,
+         DelaunayRefinementPatchCover & cover,
+         std::vector<PointType> &       points);
 
   /** Covers all of one patch, by splitting it. */
   bool
   CoverByParts(const PatchType &              patch,
                bool                           isUniform,
                DelaunayRefinementPatchCover & cover,
+               std::vector<PointType> &       points,
                const std::function<bool()> &  mayVisit);
 
   static std::vector<std::uint32_t>
@@ -99,7 +103,6 @@ private:
   const DelaunayRefinementLocalDelta & m_LocalDelta;
   bool                                 m_RoundToFloat;
   DelaunayRefinementPointGrid          m_Grid;
-  std::vector<PointType>               m_NewPoints{};
   std::vector<PointType>               m_Nearby{};
   std::vector<PatchType>               m_Stack{};
 };
