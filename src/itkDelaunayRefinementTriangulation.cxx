@@ -42,6 +42,17 @@ constexpr unsigned int FacetVertices[4][3] = { { 1, 3, 2 }, { 0, 2, 3 }, { 0, 3,
 constexpr double FlattestDeciding = 1e-6;
 constexpr double SmallestDeciding = 1e-7;
 
+/** Has memory fetched that will be read soon. */
+void
+Prefetch(const void * address)
+{
+#ifdef __GNUC__
+  __builtin_prefetch(address);
+#else
+  (void)address;
+#endif
+}
+
 /** The vertices of a facet in the same sense, the smallest first. */
 std::array<IndexType, 3>
 RotateSmallestFirst(std::array<IndexType, 3> facet)
@@ -49,6 +60,77 @@ RotateSmallestFirst(std::array<IndexType, 3> facet)
   std::rotate(facet.begin(), std::min_element(facet.begin(), facet.end()), facet.end());
   return facet;
 }
+
+/** The balls through the origin and three points u, v, w each, of several cells at once: one array for each number, so
+ * that compilers do them together. */
+struct BallsType
+{
+  static constexpr std::size_t Size = 4;
+  using NumbersType = std::array<double, Size>;
+
+  std::array<NumbersType, 3> u;
+  std::array<NumbersType, 3> v;
+  std::array<NumbersType, 3> w;
+  std::array<NumbersType, 3> center;
+  /** Negative where they decide nothing. */
+  NumbersType signedSquaredRadius;
+
+  void
+  SetPoints(std::size_t i, const PointType & origin, const PointType & a, const PointType & b, const PointType & c)
+  {
+    for (unsigned int j = 0; j < 3; ++j)
+    {
+      u[j][i] = a[j] - origin[j];
+      v[j][i] = b[j] - origin[j];
+      w[j][i] = c[j] - origin[j];
+    }
+  }
+
+  void
+  Compute(const PointType & origin)
+  {
+    const double far = SmallestDeciding * std::max({ std::abs(origin[0]), std::abs(origin[1]), std::abs(origin[2]) });
+    const double squaredFar = far * far;
+    for (std::size_t i = 0; i < Size; ++i)
+    {
+      const double ux = u[0][i];
+      const double uy = u[1][i];
+      const double uz = u[2][i];
+      const double vx = v[0][i];
+      const double vy = v[1][i];
+      const double vz = v[2][i];
+      const double wx = w[0][i];
+      const double wy = w[1][i];
+      const double wz = w[2][i];
+      const double vwX = vy * wz - vz * wy;
+      const double vwY = vz * wx - vx * wz;
+      const double vwZ = vx * wy - vy * wx;
+      const double uu = ux * ux + uy * uy + uz * uz;
+      const double vv = vx * vx + vy * vy + vz * vz;
+      const double ww = wx * wx + wy * wy + wz * wz;
+      const double determinant = ux * vwX + uy * vwY + uz * vwZ;
+      const double factor = 0.5 / determinant;
+      const double x = factor * (uu * vwX + vv * (wy * uz - wz * uy) + ww * (uy * vz - uz * vy));
+      const double y = factor * (uu * vwY + vv * (wz * ux - wx * uz) + ww * (uz * vx - ux * vz));
+      const double z = factor * (uu * vwZ + vv * (wx * uy - wy * ux) + ww * (ux * vy - uy * vx));
+      const double greater = uu > vv ? uu : vv;
+      const double greatest = greater > ww ? greater : ww;
+      const double flattest = FlattestDeciding * FlattestDeciding * greatest * greatest * greatest;
+      const double squaredRadius = x * x + y * y + z * z;
+      const double deciding = greatest > squaredFar ? squaredRadius : -squaredRadius;
+      center[0][i] = x;
+      center[1][i] = y;
+      center[2][i] = z;
+      signedSquaredRadius[i] = determinant * determinant > flattest ? deciding : -squaredRadius;
+    }
+  }
+
+  PointType
+  GetCenter(std::size_t i, const PointType & origin) const
+  {
+    return { origin[0] + center[0][i], origin[1] + center[1][i], origin[2] + center[2][i] };
+  }
+};
 
 /** The side of a point that is exactly on a circumsphere, once all points are moved by amounts that fall off quickly in
  * lexicographical order. */
@@ -95,8 +177,8 @@ DelaunayRefinementTriangulation::InsertMany(const std::vector<PointType> & point
     ++vertex;
   }
 
-  // Points in space have some seven cells each.
-  constexpr std::size_t cellsPerPoint = 8;
+  // Points in space have some seven cells each; more will follow.
+  constexpr std::size_t cellsPerPoint = 12;
   m_Cells.reserve(cellsPerPoint * points.size());
   m_Generations.reserve(cellsPerPoint * points.size());
 
@@ -329,6 +411,10 @@ DelaunayRefinementTriangulation::FindCavity(const PointType & point, IndexType s
         {
           mark = in;
           m_Cavity.push_back(neighbor);
+          for (const IndexType next : m_Cells[neighbor].neighbors)
+          {
+            Prefetch(&m_Cells[next]);
+          }
           continue;
         }
         mark = out;
@@ -342,27 +428,36 @@ void
 DelaunayRefinementTriangulation::MakeStar(IndexType vertex, IndexType start)
 {
   this->FindCavity(m_Points[vertex], start);
-  for (const IndexType cell : m_Cavity)
+  const std::size_t size = m_Boundary.size();
+  m_NewCells.resize(size);
+  for (std::size_t i = 0; i < size; ++i)
   {
-    this->ReleaseCell(cell);
-  }
-  m_NewCells.clear();
-  for (const BoundaryType & facet : m_Boundary)
-  {
-    const IndexType index = this->TakeCell();
-    CellType &      cell = m_Cells[index];
+    // Most of them take the places of cells that are gone.
+    IndexType index;
+    if (i < m_Cavity.size())
+    {
+      index = m_Cavity[i];
+      m_Generations[index] += 2;
+    }
+    else
+    {
+      index = this->TakeCell();
+    }
+    const BoundaryType & facet = m_Boundary[i];
+    CellType &           cell = m_Cells[index];
     cell.vertices = facet.vertices;
     cell.vertices[facet.slot] = vertex;
     cell.neighbors[facet.slot] = facet.beyond;
     m_Cells[facet.beyond].neighbors[facet.mirror] = index;
-    m_NewCells.push_back(index);
+    m_NewCells[i] = index;
   }
-  this->LinkStar();
-  for (const IndexType cell : m_NewCells)
+  for (std::size_t i = size; i < m_Cavity.size(); ++i)
   {
-    this->UpdateCellOfVertices(cell);
-    this->ComputeBall(cell);
+    this->ReleaseCell(m_Cavity[i]);
   }
+  m_CellOfVertex[vertex] = m_NewCells.front();
+  this->LinkStar();
+  this->ComputeBallsOfStar(vertex);
 }
 
 void
@@ -372,42 +467,44 @@ DelaunayRefinementTriangulation::LinkStar()
   m_VertexPlaces.resize(m_Points.size(), 0);
   ++m_NumberOfStars;
   std::uint32_t numberOfPlaces = 0;
-  const auto    getPlace = [&](IndexType vertex) {
-    std::uint64_t & place = m_VertexPlaces[vertex];
-    if (place >> 32 != m_NumberOfStars)
-    {
-      place = static_cast<std::uint64_t>(m_NumberOfStars) << 32 | numberOfPlaces++;
-    }
-    return static_cast<std::uint32_t>(place);
-  };
+  m_FacetPlaces.resize(m_NewCells.size());
   for (std::size_t i = 0; i < m_NewCells.size(); ++i)
   {
-    const auto &        slots = FacetVertices[m_Boundary[i].slot];
-    const auto &        vertices = m_Cells[m_NewCells[i]].vertices;
-    const std::uint32_t places[3] = { getPlace(vertices[slots[0]]),
-                                      getPlace(vertices[slots[1]]),
-                                      getPlace(vertices[slots[2]]) };
-    if (numberOfPlaces > MostVerticesOfMatrix)
-    {
-      this->LinkLargeStar();
-      return;
-    }
+    const IndexType index = m_NewCells[i];
+    const auto &    slots = FacetVertices[m_Boundary[i].slot];
+    const auto &    vertices = m_Boundary[i].vertices;
+    auto &          places = m_FacetPlaces[i];
     for (unsigned int j = 0; j < 3; ++j)
     {
-      m_Matrix[places[j] * MostVerticesOfMatrix + places[(j + 1) % 3]] = m_NewCells[i];
+      const IndexType vertex = vertices[slots[j]];
+      std::uint64_t & place = m_VertexPlaces[vertex];
+      if (place >> 32 != m_NumberOfStars)
+      {
+        place = static_cast<std::uint64_t>(m_NumberOfStars) << 32 | numberOfPlaces++;
+        m_CellOfVertex[vertex] = index;
+      }
+      places[j] = static_cast<std::uint32_t>(place);
     }
+    if (numberOfPlaces <= MostVerticesOfMatrix)
+    {
+      m_Matrix[places[0] * MostVerticesOfMatrix + places[1]] = index;
+      m_Matrix[places[1] * MostVerticesOfMatrix + places[2]] = index;
+      m_Matrix[places[2] * MostVerticesOfMatrix + places[0]] = index;
+    }
+  }
+  if (numberOfPlaces > MostVerticesOfMatrix)
+  {
+    this->LinkLargeStar();
+    return;
   }
   for (std::size_t i = 0; i < m_NewCells.size(); ++i)
   {
-    const auto &        slots = FacetVertices[m_Boundary[i].slot];
-    CellType &          cell = m_Cells[m_NewCells[i]];
-    const std::uint32_t places[3] = { getPlace(cell.vertices[slots[0]]),
-                                      getPlace(cell.vertices[slots[1]]),
-                                      getPlace(cell.vertices[slots[2]]) };
-    for (unsigned int j = 0; j < 3; ++j)
-    {
-      cell.neighbors[slots[(j + 2) % 3]] = m_Matrix[places[(j + 1) % 3] * MostVerticesOfMatrix + places[j]];
-    }
+    const auto & slots = FacetVertices[m_Boundary[i].slot];
+    const auto & places = m_FacetPlaces[i];
+    auto &       neighbors = m_Cells[m_NewCells[i]].neighbors;
+    neighbors[slots[2]] = m_Matrix[places[1] * MostVerticesOfMatrix + places[0]];
+    neighbors[slots[0]] = m_Matrix[places[2] * MostVerticesOfMatrix + places[1]];
+    neighbors[slots[1]] = m_Matrix[places[0] * MostVerticesOfMatrix + places[2]];
   }
 }
 
@@ -613,25 +710,53 @@ DelaunayRefinementTriangulation::UpdateCellOfVertices(IndexType cell)
 }
 
 void
+DelaunayRefinementTriangulation::ComputeBallsOfStar(IndexType vertex)
+{
+  const PointType & origin = m_Points[vertex];
+  BallsType         balls{};
+  for (std::size_t first = 0; first < m_NewCells.size(); first += BallsType::Size)
+  {
+    const std::size_t size = std::min(BallsType::Size, m_NewCells.size() - first);
+    for (std::size_t i = 0; i < size; ++i)
+    {
+      const BoundaryType & facet = m_Boundary[first + i];
+      const auto &         slots = FacetVertices[facet.slot];
+      balls.SetPoints(i,
+                      origin,
+                      m_Points[facet.vertices[slots[0]]],
+                      m_Points[facet.vertices[slots[1]]],
+                      m_Points[facet.vertices[slots[2]]]);
+    }
+    balls.Compute(origin);
+    for (std::size_t i = 0; i < size; ++i)
+    {
+      CellType & cell = m_Cells[m_NewCells[first + i]];
+      cell.center = balls.GetCenter(i, origin);
+      cell.signedSquaredRadius = balls.signedSquaredRadius[i];
+      if (this->IsInfinite(m_NewCells[first + i]))
+      {
+        cell.center = {};
+        cell.signedSquaredRadius = 0.0;
+      }
+    }
+  }
+}
+
+void
 DelaunayRefinementTriangulation::ComputeBall(IndexType index)
 {
   CellType & cell = m_Cells[index];
   cell.center = {};
   cell.signedSquaredRadius = 0.0;
-  if (this->IsInfinite(index))
+  if (!this->IsInfinite(index))
   {
-    return;
+    const PointType & origin = m_Points[cell.vertices[0]];
+    BallsType         balls{};
+    balls.SetPoints(0, origin, m_Points[cell.vertices[1]], m_Points[cell.vertices[2]], m_Points[cell.vertices[3]]);
+    balls.Compute(origin);
+    cell.center = balls.GetCenter(0, origin);
+    cell.signedSquaredRadius = balls.signedSquaredRadius[0];
   }
-  const PointType & a = m_Points[cell.vertices[0]];
-  const auto        rounded = DelaunayRefinementGeometry::ComputeRoundedCircumsphere(
-    a, m_Points[cell.vertices[1]], m_Points[cell.vertices[2]], m_Points[cell.vertices[3]]);
-  const double square = rounded.greatestSquare;
-  const double far = SmallestDeciding * std::max({ std::abs(a[0]), std::abs(a[1]), std::abs(a[2]) });
-  const bool   isDeciding =
-    rounded.determinant * rounded.determinant > FlattestDeciding * FlattestDeciding * square * square * square &&
-    square > far * far;
-  cell.center = rounded.ball.center;
-  cell.signedSquaredRadius = isDeciding ? rounded.ball.squaredRadius : -rounded.ball.squaredRadius;
 }
 
 void

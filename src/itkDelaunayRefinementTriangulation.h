@@ -44,7 +44,7 @@ public:
   static constexpr IndexType InfiniteVertex = 0;
 
   /** Vertices positively oriented (VTK's order) if finite; neighbor i is opposite to vertex i. */
-  struct CellType
+  struct alignas(64) CellType
   {
     std::array<IndexType, 4> vertices;
     std::array<IndexType, 4> neighbors;
@@ -250,6 +250,10 @@ private:
   void
   ComputeBall(IndexType cell);
 
+  /** ComputeBall() of the cells that MakeStar() made. */
+  void
+  ComputeBallsOfStar(IndexType vertex);
+
   /** Exactly where ComputeBall() could not. */
   void
   MendBall(IndexType cell);
@@ -267,14 +271,15 @@ private:
   std::vector<IndexType>     m_NewCells{};
 
   // Scratch of single calls.
-  std::vector<IndexType>      m_Cavity{};
-  std::vector<BoundaryType>   m_Boundary{};
-  std::vector<std::uint32_t>  m_CellMarks{};
-  std::uint32_t               m_Mark{ 0 };
-  std::vector<std::uint64_t>  m_VertexPlaces{};
-  std::uint32_t               m_NumberOfStars{ 0 };
-  std::vector<IndexType>      m_Matrix{};
-  std::vector<SharedEdgeType> m_SharedEdges{};
+  std::vector<IndexType>                    m_Cavity{};
+  std::vector<BoundaryType>                 m_Boundary{};
+  std::vector<std::uint32_t>                m_CellMarks{};
+  std::uint32_t                             m_Mark{ 0 };
+  std::vector<std::uint64_t>                m_VertexPlaces{};
+  std::uint32_t                             m_NumberOfStars{ 0 };
+  std::vector<IndexType>                    m_Matrix{};
+  std::vector<std::array<std::uint32_t, 3>> m_FacetPlaces{};
+  std::vector<SharedEdgeType>               m_SharedEdges{};
 };
 } // end namespace itk
 
