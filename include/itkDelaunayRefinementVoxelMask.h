@@ -132,12 +132,10 @@ private:
     std::uint64_t bits = 0;
     for (unsigned int part = 0; part < 8; ++part)
     {
-      // The product moves the last bit of byte k to bit 56 + k; nothing else gets there.
-      std::uint64_t eight = 0;
-      for (unsigned int i = 0; i < 8; ++i)
-      {
-        eight |= static_cast<std::uint64_t>(bytes[8 * part + i]) << (8 * i);
-      }
+      // Compilers make one load of it. The product moves the last bit of byte k to bit 56 + k; nothing else gets there.
+      const std::uint8_t * const b = bytes.data() + 8 * part;
+      const auto                 at = [b](unsigned int i) { return static_cast<std::uint64_t>(b[i]) << (8 * i); };
+      const std::uint64_t        eight = at(0) | at(1) | at(2) | at(3) | at(4) | at(5) | at(6) | at(7);
       bits |= (eight * 0x0102040810204080u >> 56) << (8 * part);
     }
     return bits;

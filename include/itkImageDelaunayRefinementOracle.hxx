@@ -146,6 +146,20 @@ ImageDelaunayRefinementOracle<TImage>::WithPredicate(const ObjectType & object, 
       }
       break;
     case DefinitionEnum::THRESHOLD:
+      if constexpr (std::is_integral<PixelType>::value && sizeof(PixelType) < sizeof(float))
+      {
+        // The range in the pixels' own type, in which many are compared at once.
+        using LimitsType = std::numeric_limits<PixelType>;
+        const double lowest = LimitsType::lowest();
+        const double highest = LimitsType::max();
+        if (object.lower <= highest && object.upper >= lowest && std::ceil(object.lower) <= std::floor(object.upper))
+        {
+          const auto lower = static_cast<PixelType>(std::ceil(std::max(object.lower, lowest)));
+          const auto upper = static_cast<PixelType>(std::floor(std::min(object.upper, highest)));
+          action([lower, upper](PixelType value) { return (value >= lower) & (value <= upper); });
+          break;
+        }
+      }
       action([lower = object.lower, upper = object.upper](PixelType value) {
         const auto real = static_cast<double>(value);
         return real >= lower && real <= upper;

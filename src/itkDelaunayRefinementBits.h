@@ -36,7 +36,11 @@ CountDelaunayRefinementBits(std::uint64_t word)
 inline unsigned int
 FindDelaunayRefinementBit(std::uint64_t word)
 {
+#ifdef __GNUC__
+  return static_cast<unsigned int>(__builtin_ctzll(word));
+#else
   return CountDelaunayRefinementBits((word & (~word + 1)) - 1);
+#endif
 }
 } // end namespace itk
 

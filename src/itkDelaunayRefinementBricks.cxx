@@ -18,9 +18,120 @@
 #include "itkDelaunayRefinementBricks.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace itk
 {
+namespace
+{
+/** The cells of a brick that have a number along an axis. */
+constexpr std::uint64_t Layers[3][4] = {
+  { 0x1111111111111111u, 0x2222222222222222u, 0x4444444444444444u, 0x8888888888888888u },
+  { 0x000F000F000F000Fu, 0x00F000F000F000F0u, 0x0F000F000F000F00u, 0xF000F000F000F000u },
+  { 0x000000000000FFFFu, 0x00000000FFFF0000u, 0x0000FFFF00000000u, 0xFFFF000000000000u }
+};
+} // namespace
+
+std::vector<std::uint64_t>
+DelaunayRefinementBricks::FindRows(const DelaunayRefinementVoxelMask & mask,
+                                   std::int32_t                        brickY,
+                                   std::int32_t                        brickZ,
+                                   RowsType &                          rows)
+{
+  std::vector<std::uint64_t> any(mask.GetWordsPerRow(), 0);
+  for (std::int32_t i = 0; i < BrickSize * BrickSize; ++i)
+  {
+    const std::int32_t y = BrickSize * brickY + i % BrickSize;
+    const std::int32_t z = BrickSize * brickZ + i / BrickSize;
+    if (y > mask.GetSize()[1] || z > mask.GetSize()[2])
+    {
+      rows[i].assign(any.size(), 0);
+      continue;
+    }
+    mask.FindMixedCells(y, z, rows[i]);
+    for (std::size_t word = 0; word < any.size(); ++word)
+    {
+      any[word] |= rows[i][word];
+    }
+  }
+  return any;
+}
+
+std::uint64_t
+DelaunayRefinementBricks::GatherCells(const RowsType & rows, std::size_t word, std::int32_t nibble)
+{
+  std::uint64_t cells = 0;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+  {
+    cells |= (rows[i][word] >> (4 * nibble) & 15u) << (4 * i);
+  }
+  return cells;
+}
+
+void
+DelaunayRefinementBricks::UpdateBounds()
+{
+  constexpr std::int32_t largest = std::numeric_limits<std::int32_t>::max();
+  m_FirstCell = { largest, largest, largest };
+  m_LastCell = { -1, -1, -1 };
+  for (const IndexType & brick : m_ActiveBricks)
+  {
+    const std::uint64_t cells = this->GetCells(brick);
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      const std::int32_t first = BrickSize * brick[i];
+      if (first < m_FirstCell[i] || first + BrickSize - 1 > m_LastCell[i])
+      {
+        for (std::int32_t j = 0; j < BrickSize; ++j)
+        {
+          if (cells & Layers[i][j])
+          {
+            m_FirstCell[i] = std::min(m_FirstCell[i], first + j);
+            m_LastCell[i] = std::max(m_LastCell[i], first + j);
+          }
+        }
+      }
+    }
+  }
+}
+
+void
+DelaunayRefinementBricks::Update(const DelaunayRefinementVoxelMask & mask, const std::vector<BoxType> & changes)
+{
+  RowsType rows;
+  for (const BoxType & box : changes)
+  {
+    // Cell n is before voxel n, cell n + 1 after it.
+    for (std::int32_t z = box.first[2] >> 2; z <= (box.last[2] + 1) >> 2; ++z)
+    {
+      for (std::int32_t y = box.first[1] >> 2; y <= (box.last[1] + 1) >> 2; ++y)
+      {
+        FindRows(mask, y, z, rows);
+        for (std::int32_t x = box.first[0] >> 2; x <= (box.last[0] + 1) >> 2; ++x)
+        {
+          std::int32_t & number = m_Numbers[this->ToOffset(0, { x, y, z })];
+          if (number >= 0)
+          {
+            m_Cells[number] = GatherCells(rows, static_cast<std::size_t>(x) / 16, x % 16);
+          }
+          else
+          {
+            number = GetNumberOfUniform(mask, { x, y, z });
+          }
+        }
+      }
+    }
+  }
+  const auto isEmpty = [this, &mask](const IndexType & brick) {
+    std::int32_t & number = m_Numbers[this->ToOffset(0, brick)];
+    const bool     hasNone = m_Cells[number] == 0;
+    number = hasNone ? GetNumberOfUniform(mask, brick) : number;
+    return hasNone;
+  };
+  m_ActiveBricks.erase(std::remove_if(m_ActiveBricks.begin(), m_ActiveBricks.end(), isEmpty), m_ActiveBricks.end());
+  this->UpdateBounds();
+}
+
 DelaunayRefinementBricks::DelaunayRefinementBricks(const DelaunayRefinementVoxelMask & mask)
 {
   const auto & voxels = mask.GetSize();
@@ -30,45 +141,37 @@ DelaunayRefinementBricks::DelaunayRefinementBricks(const DelaunayRefinementVoxel
     size[i] = (voxels[i] + 1 + BrickSize - 1) / BrickSize;
   }
   m_Levels.push_back({ size, {} });
-  m_Numbers.assign(static_cast<std::size_t>(size[0]) * size[1] * size[2], -1);
-  m_FirstCell = voxels;
+  m_Numbers.resize(static_cast<std::size_t>(size[0]) * size[1] * size[2]);
 
-  std::vector<std::uint64_t> words;
-  for (std::int32_t z = 0; z <= voxels[2]; ++z)
+  RowsType rows;
+  for (std::int32_t z = 0; z < size[2]; ++z)
   {
-    for (std::int32_t y = 0; y <= voxels[1]; ++y)
+    for (std::int32_t y = 0; y < size[1]; ++y)
     {
-      mask.FindMixedCells(y, z, words);
-      for (std::size_t i = 0; i < words.size(); ++i)
+      const auto any = FindRows(mask, y, z, rows);
+      for (std::size_t word = 0; word < any.size(); ++word)
       {
         // Bricks are nibbles of the words.
-        for (std::int32_t nibble = 0; nibble < 16 && words[i] >> (4 * nibble) != 0; ++nibble)
+        const std::int32_t first = static_cast<std::int32_t>(16 * word);
+        for (std::int32_t nibble = 0; nibble < 16 && first + nibble < size[0]; ++nibble)
         {
-          const std::uint64_t bits = words[i] >> (4 * nibble) & 15u;
-          if (bits != 0)
+          const IndexType brick{ first + nibble, y, z };
+          std::int32_t &  number = m_Numbers[this->ToOffset(0, brick)];
+          if (any[word] >> (4 * nibble) & 15u)
           {
-            const std::int32_t brickX = static_cast<std::int32_t>(16 * i) + nibble;
-            const IndexType    brick{ brickX, y >> 2, z >> 2 };
-            std::int32_t &     number = m_Numbers[this->ToOffset(0, brick)];
-            if (number < 0)
-            {
-              number = static_cast<std::int32_t>(m_Cells.size());
-              m_Cells.push_back(0);
-              m_ActiveBricks.push_back(brick);
-            }
-            m_Cells[number] |= bits << ((y & 3) << 2 | (z & 3) << 4);
-            const std::int32_t x = 4 * brickX;
-            const std::int32_t low = bits & 1u ? 0 : bits & 2u ? 1 : bits & 4u ? 2 : 3;
-            const std::int32_t high = bits & 8u ? 3 : bits & 4u ? 2 : bits & 2u ? 1 : 0;
-            m_FirstCell = { std::min(m_FirstCell[0], x + low),
-                            std::min(m_FirstCell[1], y),
-                            std::min(m_FirstCell[2], z) };
-            m_LastCell = { std::max(m_LastCell[0], x + high), std::max(m_LastCell[1], y), std::max(m_LastCell[2], z) };
+            number = static_cast<std::int32_t>(m_Cells.size());
+            m_Cells.push_back(GatherCells(rows, word, nibble));
+            m_ActiveBricks.push_back(brick);
+          }
+          else
+          {
+            number = GetNumberOfUniform(mask, brick);
           }
         }
       }
     }
   }
+  this->UpdateBounds();
 
   while (std::max({ size[0], size[1], size[2] }) > 1)
   {

@@ -20,6 +20,8 @@
 
 #include "itkDelaunayRefinementVoxelMask.h"
 
+#include <algorithm>
+
 namespace itk
 {
 /** \class DelaunayRefinementBricks
@@ -36,13 +38,39 @@ public:
 
   static constexpr std::int32_t BrickSize = 4;
 
+  /** The voxels \c first to \c last (included) along each axis. */
+  struct BoxType
+  {
+    IndexType first;
+    IndexType last;
+  };
+
   explicit DelaunayRefinementBricks(const DelaunayRefinementVoxelMask & mask);
+
+  /** After voxels within some boxes were made outside. Nodes above level 0 may stay active without need. */
+  void
+  Update(const DelaunayRefinementVoxelMask & mask, const std::vector<BoxType> & changes);
 
   /** Bricks with surface, in the order of their first cells. */
   const std::vector<IndexType> &
   GetActiveBricks() const
   {
     return m_ActiveBricks;
+  }
+
+  /** Whether a brick holds surface, or which side of it it is on. */
+  enum class BrickEnum : uint8_t
+  {
+    OUTSIDE,
+    INSIDE,
+    MIXED
+  };
+
+  BrickEnum
+  GetKind(const IndexType & brick) const
+  {
+    const std::int32_t number = m_Numbers[this->ToOffset(0, brick)];
+    return number >= 0 ? BrickEnum::MIXED : number == NumberInside ? BrickEnum::INSIDE : BrickEnum::OUTSIDE;
   }
 
   /** Bit x + 4 y + 16 z for each cell of a brick; 0 for bricks without surface. */
@@ -104,6 +132,36 @@ public:
   }
 
 private:
+  /** The cells with surface of 4 x 4 rows, y fastest. */
+  using RowsType = std::array<std::vector<std::uint64_t>, BrickSize * BrickSize>;
+
+  /** The rows of a row of bricks. Returns what any of them has. */
+  static std::vector<std::uint64_t>
+  FindRows(const DelaunayRefinementVoxelMask & mask, std::int32_t brickY, std::int32_t brickZ, RowsType & rows);
+
+  /** The cells of one brick, a nibble of the words of its rows. */
+  static std::uint64_t
+  GatherCells(const RowsType & rows, std::size_t word, std::int32_t nibble);
+
+  void
+  UpdateBounds();
+
+  /** In place of the number of a brick without surface. */
+  static constexpr std::int32_t NumberOutside = -1;
+  static constexpr std::int32_t NumberInside = -2;
+
+  /** Of a brick whose voxels are all alike. */
+  static std::int32_t
+  GetNumberOfUniform(const DelaunayRefinementVoxelMask & mask, const IndexType & brick)
+  {
+    // The voxel after its first cell may be that of the outer layer.
+    const auto &       size = mask.GetSize();
+    const std::int32_t bit = std::min(BrickSize * brick[0], size[0]) + 1;
+    const auto *       row =
+      mask.GetRow(std::min(BrickSize * brick[1], size[1]) + 1, std::min(BrickSize * brick[2], size[2]) + 1);
+    return row[bit >> 6] >> (bit & 63) & 1u ? NumberInside : NumberOutside;
+  }
+
   struct LevelType
   {
     IndexType         size;

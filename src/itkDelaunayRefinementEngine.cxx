@@ -307,8 +307,9 @@ DelaunayRefinementEngine::Impl::Examine(const std::vector<IndexType> & cells)
     }
     if (m_Rules->MayFireR2(cell))
     {
-      // Encroachment goes first: it removes free vertices.
-      const bool isInBox = m_Encroachment->IsStrictlyInside(m_Complex->GetCircumcenter(cell));
+      // Encroachment goes first: it removes free vertices. The object is in the box.
+      const bool isInBox =
+        m_Complex->GetRegion(cell) != 0 || m_Encroachment->IsStrictlyInside(m_Complex->GetCircumcenter(cell));
       (isInBox ? m_R2Queue : m_EncroachmentQueue).Push(triangulation, cell);
     }
     if (m_Rules->FiresR4(cell) || m_Rules->FiresCellSize(cell) || m_Rules->FiresR4Prime(cell))

@@ -35,6 +35,16 @@ ExtractDelaunayRefinementResult(const DelaunayRefinementComplex & complex)
   const auto isInside = [&](IndexType cell) {
     return triangulation.IsAlive(cell) && !triangulation.IsInfinite(cell) && complex.GetRegion(cell) != 0;
   };
+  std::size_t numberOfTetrahedra = 0;
+  for (IndexType index = 0; index < triangulation.GetNumberOfCellIndexes(); ++index)
+  {
+    numberOfTetrahedra += isInside(index) ? 1 : 0;
+  }
+  result.tetrahedra.reserve(numberOfTetrahedra);
+  result.regions.reserve(numberOfTetrahedra);
+  result.points.reserve(complex.GetNumberOfVertices());
+  result.pointKinds.reserve(complex.GetNumberOfVertices());
+
   std::vector<IndexType> numbers(triangulation.GetNumberOfVertexIndexes(), DelaunayRefinementComplex::None);
   const auto             numberOf = [&](IndexType vertex) {
     if (numbers[vertex] == DelaunayRefinementComplex::None)

@@ -58,8 +58,35 @@ public:
   RunForAny()
   {
     m_IsAnyEnough = true;
-    PointType any;
-    return this->Run(any);
+    // The bricks around the ball.
+    const auto & size = m_Oracle.m_Bricks->GetLevelSize(0);
+    IndexType    first;
+    IndexType    last;
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      const auto &     row = m_Oracle.m_InverseRows[i];
+      const double     extent = std::sqrt(m_Best * Geometry::Dot(row, row));
+      constexpr double brickSize = DelaunayRefinementBricks::BrickSize;
+      first[i] = static_cast<std::int32_t>(std::clamp((m_Query[i] - extent) / brickSize, 0.0, size[i] - 1.0));
+      last[i] = static_cast<std::int32_t>(std::clamp((m_Query[i] + extent) / brickSize, 0.0, size[i] - 1.0));
+    }
+    constexpr double mostBricks = 1000.0;
+    if ((last[0] - first[0] + 1.0) * (last[1] - first[1] + 1.0) * (last[2] - first[2] + 1.0) > mostBricks)
+    {
+      PointType any;
+      return this->Run(any);
+    }
+    for (std::int32_t z = first[2]; z <= last[2]; ++z)
+    {
+      for (std::int32_t y = first[1]; y <= last[1]; ++y)
+      {
+        for (std::int32_t x = first[0]; x <= last[0] && !m_IsFound; ++x)
+        {
+          this->SearchNode(0, { x, y, z });
+        }
+      }
+    }
+    return m_IsFound;
   }
 
 private:
@@ -134,17 +161,25 @@ private:
   SearchBrick(const IndexType & brick)
   {
     const std::uint64_t cells = m_Oracle.m_Bricks->GetCells(brick);
-    // The nearest cell of each axis first.
-    std::array<std::int32_t, 3> nearest;
+    // The nearest cell of each axis first; squared distances are sums over the axes.
+    std::array<std::int32_t, 3>          nearest;
+    std::array<std::array<double, 4>, 3> squares;
     for (unsigned int i = 0; i < 3; ++i)
     {
       nearest[i] = m_Query[i] > 4 * brick[i] + 2 ? 3 : 0;
+      for (std::int32_t j = 0; j < 4; ++j)
+      {
+        PointType    separations{};
+        const double corner = 4 * brick[i] + (j ^ nearest[i]);
+        separations[i] = std::max({ 0.0, corner - m_Query[i], m_Query[i] - corner - 1.0 });
+        squares[i][j] = m_Oracle.GetLeastSquaredLength(separations);
+      }
     }
     for (std::int32_t i = 0; i < 64; ++i)
     {
       const IndexType    within{ (i & 3) ^ nearest[0], (i >> 2 & 3) ^ nearest[1], (i >> 4) ^ nearest[2] };
       const unsigned int bit = DelaunayRefinementBricks::GetBit(within);
-      if (cells >> bit & 1u)
+      if ((cells >> bit & 1u) && squares[0][i & 3] + squares[1][i >> 2 & 3] + squares[2][i >> 4] < m_Best)
       {
         const IndexType cell{ 4 * brick[0] + within[0], 4 * brick[1] + within[1], 4 * brick[2] + within[2] };
         const PointType corner{ double(cell[0]), double(cell[1]), double(cell[2]) };
@@ -154,10 +189,7 @@ private:
           m_IsFound = true;
           return;
         }
-        if (this->GetLeastSquaredDistance(corner, 1.0) < m_Best)
-        {
-          m_Oracle.VisitCell(cell, [&](const auto & content) { this->SearchCube(content, corner, corner, 1.0); });
-        }
+        m_Oracle.VisitCell(cell, [&](const auto & content) { this->SearchCube(content, corner, corner, 1.0); });
       }
     }
   }

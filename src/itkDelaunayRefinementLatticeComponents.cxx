@@ -207,9 +207,14 @@ DelaunayRefinementLatticeOracle::EstimateSurfaceArea() const
       for (std::size_t i = 0; i < words; ++i)
       {
         const std::uint64_t carry = i + 1 < words ? row[i + 1] << 63 : 0;
-        faces[0] += CountDelaunayRefinementBits(row[i] ^ (row[i] >> 1 | carry));
-        faces[1] += CountDelaunayRefinementBits(row[i] ^ nextY[i]);
-        faces[2] += CountDelaunayRefinementBits(row[i] ^ nextZ[i]);
+        const std::uint64_t changes[3] = { row[i] ^ (row[i] >> 1 | carry), row[i] ^ nextY[i], row[i] ^ nextZ[i] };
+        if (changes[0] | changes[1] | changes[2])
+        {
+          for (unsigned int axis = 0; axis < 3; ++axis)
+          {
+            faces[axis] += CountDelaunayRefinementBits(changes[axis]);
+          }
+        }
       }
     }
   }

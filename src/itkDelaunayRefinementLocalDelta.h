@@ -84,7 +84,7 @@ private:
 
   /** Boxes of a coarse grid over the surface, to find the components near a point. */
   using BoxIndexType = std::array<std::int32_t, 3>;
-  static constexpr std::int32_t BoxesPerAxis = 32;
+  static constexpr std::int32_t BoxesPerAxis = 16;
 
   BoxIndexType
   FindBox(const PointType & point, double offset) const;
