@@ -90,14 +90,14 @@ public:
   BoundsType
   GetSurfaceBounds() const override;
 
-  std::vector<SurfacePatch>
+  SurfacePatches
   GetSurfacePatches() const override;
 
   void
-  SplitSurfacePatch(const SurfacePatch & patch, std::vector<SurfacePatch> & parts) const override;
+  SplitSurfacePatch(const SurfacePatchIdentifier & patch, SurfacePatches & parts) const override;
 
   bool
-  FindPointOfPatch(const SurfacePatch & patch, PointType & point) const override;
+  FindPointOfPatch(const SurfacePatchIdentifier & patch, PointType & point) const override;
 
   ComponentType
   GetNumberOfComponents() const override;
@@ -207,9 +207,6 @@ private:
   VisitCell(const IndexType & cell, const TVisitor & visitor) const;
 
   bool
-  IsInsideCell(const IndexType & cell, const PointType & lattice) const;
-
-  bool
   FindChangeInBrick(const IndexType & brick,
                     const PointType & from,
                     const PointType & direction,
@@ -218,13 +215,34 @@ private:
                     bool              isInside,
                     double &          share) const;
 
-  /** A brick (level 0), or an eighth of a patch of the level before; false if no surface is in it. */
-  bool
-  MakePatch(const IndexType & index, unsigned int level, SurfacePatch & patch) const;
+  /** INDICATOR: of a cell and of its eight octants, which of them may hold surface and within which boxes. */
+  struct CellShapesType
+  {
+    unsigned int                             octants;
+    SurfacePatches::ShapeType                cell;
+    std::array<SurfacePatches::ShapeType, 8> parts;
+  };
 
-  /** The cells with surface in a patch larger than a cell: bits of its brick. */
+  /** One for each configuration of a cell. */
+  std::vector<CellShapesType>
+  MakeCellShapes() const;
+
+  /** The quarters of a cell, 64 in all, that may hold surface: bit x + 4 y + 16 z. */
   std::uint64_t
-  GetCellsOfPatch(const IndexType & index, unsigned int level) const;
+  GetQuarters(const IndexType & cell) const;
+
+  /** The box around a patch from a corner, both in lattice coordinates. */
+  SurfacePatches::ShapeType
+  MakeShape(const PointType & center, const PointType & extents) const;
+
+  /** Around some of 4 x 4 x 4 cubes, with bits as in GetQuarters(), from the corner of the first. */
+  SurfacePatches::ShapeType
+  MakeShapeOfCubes(std::uint64_t cubes, double cubeSize) const;
+
+  void
+  SplitBrick(const SurfacePatchIdentifier & patch, SurfacePatches & parts) const;
+  void
+  SplitCell(const SurfacePatchIdentifier & patch, SurfacePatches & parts) const;
 
   class ClosestSearch;
 
@@ -244,8 +262,8 @@ private:
   std::array<PointType, 3>                           m_InverseRows{};
   std::array<PointType, 3>                           m_Gram{};
   double                                             m_LeastStretch{ 1.0 };
-  double                                             m_CubeRadius{ 0.0 };
-  PointType                                          m_CubeHalfExtents{};
+  std::vector<CellShapesType>                        m_CellShapes{};
+  std::array<std::array<float, 3>, 8>                m_CornerOffsets{};
   std::unique_ptr<DelaunayRefinementVoxelMask>       m_Mask;
   std::unique_ptr<DelaunayRefinementVoxelComponents> m_Components;
   std::unique_ptr<DelaunayRefinementBricks>          m_Bricks;

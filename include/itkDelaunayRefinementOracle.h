@@ -18,7 +18,7 @@
 #ifndef itkDelaunayRefinementOracle_h
 #define itkDelaunayRefinementOracle_h
 
-#include "itkDelaunayRefinementTypes.h"
+#include "itkDelaunayRefinementSurfacePatches.h"
 
 namespace itk
 {
@@ -54,21 +54,8 @@ public:
     PointType maximum;
   };
 
-  /** A piece of the surface. */
-  struct SurfacePatch
-  {
-    /** The whole piece lies within \c radius of \c center, and in the box that extends by \c halfExtents from it (mm).
-     */
-    PointType center;
-    /** Of a ball around \c center (mm). */
-    double radius;
-    /** Of a box around \c center (mm). */
-    PointType halfExtents;
-    /** Which piece it is, for the oracle. */
-    std::array<std::int32_t, 3> index;
-    /** How often it was split, for the oracle. */
-    std::uint8_t level;
-  };
+  using SurfacePatches = DelaunayRefinementSurfacePatches;
+  using SurfacePatchIdentifier = DelaunayRefinementSurfacePatches::IdentifierType;
 
   virtual ~DelaunayRefinementOracle();
 
@@ -96,18 +83,18 @@ public:
   virtual BoundsType
   GetSurfaceBounds() const = 0;
 
-  /** Patches that together cover the surface; empty if there is none. Their order is the oracle's own and always the
+  /** Patches that together cover the surface; none if there is none. Their order is the oracle's own and always the
    * same. */
-  virtual std::vector<SurfacePatch>
+  virtual SurfacePatches
   GetSurfacePatches() const = 0;
 
-  /** Appends patches that together cover what \c patch covers, each at most about half as large. */
+  /** Appends patches that together cover what a patch covers, within its box, each at most about half as large. */
   virtual void
-  SplitSurfacePatch(const SurfacePatch & patch, std::vector<SurfacePatch> & parts) const = 0;
+  SplitSurfacePatch(const SurfacePatchIdentifier & patch, SurfacePatches & parts) const = 0;
 
   /** Finds a point of the surface in the ball of a patch; false if the patch turns out to hold none. */
   virtual bool
-  FindPointOfPatch(const SurfacePatch & patch, PointType & point) const = 0;
+  FindPointOfPatch(const SurfacePatchIdentifier & patch, PointType & point) const = 0;
 
   /** Number of components of the object: at least 1 unless it is empty. */
   virtual ComponentType

@@ -28,8 +28,9 @@ namespace itk
 /** The three kinds of cells below say where the object is inside the unit cube between eight voxel centers. All offer:
  * IsInside(point), MayIntersect(corner, size) for a cube within the cell (false only if the surface misses it),
  * FindOctants(corner, size) (a bit for each octant of the cube, x fastest; 0 only if the surface misses it),
- * SamplesPerSide(size) (on a grid so fine the cube is mixed if it holds surface), and FindFirstChange(from, to,
- * isInside, share): the first share of the way at which the inside differs from \c isInside. */
+ * SamplesPerSide(size) (on a grid so fine the cube is mixed if it holds surface), FindFirstChange(from, to, isInside,
+ * share): the first share of the way at which the inside differs from \c isInside, and FindChangeTowardsFaces(start,
+ * corner, size, found): a change on the way from a point of a cube straight to one of its faces. */
 
 /** FindOctants() by MayIntersect(). */
 template <typename TCell>
@@ -46,6 +47,53 @@ FindOctantsOneByOne(const TCell & cell, const DelaunayRefinementPoint & corner, 
     octants |= (cell.MayIntersect(at, half) ? 1u : 0u) << i;
   }
   return octants;
+}
+
+/** Finds the change between a point of a cell and another on the other side; false if that is on the same side. */
+template <typename TCell>
+bool
+FindChangeTowards(const TCell &                   cell,
+                  const DelaunayRefinementPoint & start,
+                  const DelaunayRefinementPoint & end,
+                  DelaunayRefinementPoint &       found)
+{
+  const bool isInside = cell.IsInside(start);
+  if (cell.IsInside(end) == isInside)
+  {
+    return false;
+  }
+  // Rounding may hide a change that is at the very end.
+  double share;
+  if (!cell.FindFirstChange(start, end, isInside, share))
+  {
+    share = 1.0;
+  }
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    found[i] = start[i] + share * (end[i] - start[i]);
+  }
+  return true;
+}
+
+/** FindChangeTowardsFaces() by FindChangeTowards(). */
+template <typename TCell>
+bool
+FindChangeTowardsFacesOneByOne(const TCell &                   cell,
+                               const DelaunayRefinementPoint & start,
+                               const DelaunayRefinementPoint & corner,
+                               double                          size,
+                               DelaunayRefinementPoint &       found)
+{
+  for (unsigned int face = 0; face < 6; ++face)
+  {
+    DelaunayRefinementPoint end = start;
+    end[face / 2] = corner[face / 2] + (face % 2) * size;
+    if (FindChangeTowards(cell, start, end, found))
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 /** \class DelaunayRefinementLinearCell
@@ -103,28 +151,31 @@ public:
   unsigned int
   FindOctants(const PointType & corner, double size) const
   {
+    // Of the grid of 27 points: the least and the greatest value at the corners of each octant, axis by axis.
     const double half = 0.5 * size;
-    unsigned int inside = 0; // of the grid of 27 points
-    unsigned int outside = 0;
+    double       least[18];
+    double       greatest[18];
     for (unsigned int row = 0; row < 9; ++row)
     {
       const double y = corner[1] + row % 3 * half;
       const double z = corner[2] + row / 3 * half;
-      const double atZero = this->EvaluateAtZero(y, z);
       const double slope = this->ComputeSlope(y, z);
-      for (unsigned int x = 0; x < 3; ++x)
-      {
-        const double value = atZero + (corner[0] + x * half) * slope;
-        inside |= (value >= -m_Noise ? 1u : 0u) << (3 * row + x);
-        outside |= (value < m_Noise ? 1u : 0u) << (3 * row + x);
-      }
+      const double low = this->EvaluateAtZero(y, z) + corner[0] * slope;
+      const double middle = low + half * slope;
+      const double high = low + size * slope;
+      least[2 * row] = std::min(low, middle);
+      least[2 * row + 1] = std::min(middle, high);
+      greatest[2 * row] = std::max(low, middle);
+      greatest[2 * row + 1] = std::max(middle, high);
     }
-    constexpr unsigned int corners = 1u << 0 | 1u << 1 | 1u << 3 | 1u << 4 | 1u << 9 | 1u << 10 | 1u << 12 | 1u << 13;
-    unsigned int           octants = 0;
+    unsigned int octants = 0;
     for (unsigned int i = 0; i < 8; ++i)
     {
-      const unsigned int place = (i & 1u) + 3 * (i >> 1 & 1u) + 9 * (i >> 2);
-      octants |= ((inside >> place & corners) != 0 && (outside >> place & corners) != 0 ? 1u : 0u) << i;
+      const unsigned int at = (i & 1u) + 2 * (i >> 1 & 1u) + 6 * (i >> 2);
+      const double       low = std::min(std::min(least[at], least[at + 2]), std::min(least[at + 6], least[at + 8]));
+      const double       high =
+        std::max(std::max(greatest[at], greatest[at + 2]), std::max(greatest[at + 6], greatest[at + 8]));
+      octants |= (low < m_Noise && high >= -m_Noise ? 1u : 0u) << i;
     }
     return octants;
   }
@@ -152,6 +203,32 @@ public:
     const double third = 1.0 / 3.0;
     return FindFirstChange(
       { c0, c0 + third * c1, c0 + 2.0 * third * c1 + third * c2, c0 + c1 + c2 + c3 }, isInside, 0.0, 1.0, share);
+  }
+
+  bool
+  FindChangeTowardsFaces(const PointType & start, const PointType & corner, double size, PointType & found) const
+  {
+    // Straight along an axis a trilinear function is linear.
+    const double    x = start[0];
+    const double    y = start[1];
+    const double    z = start[2];
+    const double    value = this->Evaluate(start);
+    const PointType slopes{ this->ComputeSlope(y, z),
+                            m_Y + x * (m_XY + z * m_XYZ) + z * m_YZ,
+                            m_Z + x * (m_XZ + y * m_XYZ) + y * m_YZ };
+    for (unsigned int face = 0; face < 6; ++face)
+    {
+      const unsigned int axis = face / 2;
+      const double       way = corner[axis] + (face % 2) * size - start[axis];
+      const double       end = value + way * slopes[axis];
+      if ((end >= 0.0) != (value >= 0.0))
+      {
+        found = start;
+        found[axis] += value / (value - end) * way;
+        return true;
+      }
+    }
+    return false;
   }
 
 private:
@@ -328,6 +405,12 @@ public:
     return this->IsInside(to) != isInside;
   }
 
+  bool
+  FindChangeTowardsFaces(const PointType & start, const PointType & corner, double size, PointType & found) const
+  {
+    return FindChangeTowardsFacesOneByOne(*this, start, corner, size, found);
+  }
+
 private:
   unsigned int m_Configuration;
 };
@@ -414,6 +497,12 @@ public:
     return false;
   }
 
+  bool
+  FindChangeTowardsFaces(const PointType & start, const PointType & corner, double size, PointType & found) const
+  {
+    return FindChangeTowardsFacesOneByOne(*this, start, corner, size, found);
+  }
+
 private:
   const TFunction & m_IsInside;
 };
@@ -428,33 +517,10 @@ FindSurfacePointInCube(const TCell &                   cell,
                        const DelaunayRefinementPoint & start,
                        DelaunayRefinementPoint &       found)
 {
-  const bool isInside = cell.IsInside(start);
-  const auto find = [&](const DelaunayRefinementPoint & end) {
-    if (cell.IsInside(end) == isInside)
-    {
-      return false;
-    }
-    // Rounding may hide a change that is at the very end.
-    double share;
-    if (!cell.FindFirstChange(start, end, isInside, share))
-    {
-      share = 1.0;
-    }
-    for (unsigned int i = 0; i < 3; ++i)
-    {
-      found[i] = start[i] + share * (end[i] - start[i]);
-    }
-    return true;
-  };
   // Surface that lies in a face is met at its corners alone otherwise, where points tend to be on common spheres.
-  for (unsigned int face = 0; face < 6; ++face)
+  if (cell.FindChangeTowardsFaces(start, corner, size, found))
   {
-    DelaunayRefinementPoint end = start;
-    end[face / 2] = corner[face / 2] + (face % 2) * size;
-    if (find(end))
-    {
-      return true;
-    }
+    return true;
   }
   const unsigned int samples = TCell::SamplesPerSide(size);
   const double       step = size / samples;
@@ -464,7 +530,7 @@ FindSurfacePointInCube(const TCell &                   cell,
     {
       for (unsigned int x = 0; x <= samples; ++x)
       {
-        if (find({ corner[0] + x * step, corner[1] + y * step, corner[2] + z * step }))
+        if (FindChangeTowards(cell, start, { corner[0] + x * step, corner[1] + y * step, corner[2] + z * step }, found))
         {
           return true;
         }

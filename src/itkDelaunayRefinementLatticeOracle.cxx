@@ -44,15 +44,6 @@ ComputeLeastEigenvalue(double xy, double xz, double yz)
   const double third = 2.0943951023931953;
   return 1.0 + 2.0 * scale * std::cos(std::acos(cosine) / 3.0 + third);
 }
-
-std::array<std::int32_t, 3>
-ToIndex(const PointType & lattice)
-{
-  return { static_cast<std::int32_t>(std::floor(lattice[0])),
-           static_cast<std::int32_t>(std::floor(lattice[1])),
-           static_cast<std::int32_t>(std::floor(lattice[2])) };
-}
-
 } // namespace
 
 DelaunayRefinementLatticeOracle::DelaunayRefinementLatticeOracle() = default;
@@ -88,18 +79,37 @@ DelaunayRefinementLatticeOracle::Initialize(ModelEnum                         mo
   // Rounding errors of a direction matrix are no shear.
   constexpr double noShear = 1e-12;
   m_LeastStretch = std::max(0.0, ComputeLeastEigenvalue(cosine(0, 1), cosine(0, 2), cosine(1, 2)) - noShear);
-  m_CubeRadius = this->GetGreatestLength({ 1.0, 1.0, 1.0 });
-  m_CubeHalfExtents = this->GetHalfExtents({ 1.0, 1.0, 1.0 });
   m_Mask = std::make_unique<DelaunayRefinementVoxelMask>(std::move(mask));
   m_Components = std::make_unique<DelaunayRefinementVoxelComponents>(std::move(components));
   m_Bricks = std::make_unique<DelaunayRefinementBricks>(*m_Mask);
+  for (unsigned int corner = 0; corner < 8; ++corner)
+  {
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      m_CornerOffsets[corner][i] =
+        static_cast<float>((corner & 1u) * axes[0][i] + (corner >> 1 & 1u) * axes[1][i] + (corner >> 2) * axes[2][i]);
+    }
+  }
+  if (m_Model == ModelEnum::INDICATOR)
+  {
+    m_CellShapes = this->MakeCellShapes();
+  }
 }
 
 void
 DelaunayRefinementLatticeOracle::RemoveComponents(const std::vector<bool> & isRemoved)
 {
+  std::vector<DelaunayRefinementBricks::BoxType> boxes;
+  for (std::size_t i = 0; i < isRemoved.size(); ++i)
+  {
+    if (isRemoved[i])
+    {
+      const auto & info = m_Components->GetComponents()[i];
+      boxes.push_back({ info.minimum, info.maximum });
+    }
+  }
   m_Components->Remove(isRemoved, *m_Mask);
-  m_Bricks = std::make_unique<DelaunayRefinementBricks>(*m_Mask);
+  m_Bricks->Update(*m_Mask, boxes);
 }
 
 double
@@ -209,7 +219,13 @@ DelaunayRefinementIndicatorCell::MakeAll()
     }
     // Exact: halves, at places with few digits.
     const DelaunayRefinementLinearCell cell(values, 0.0);
-    cells.push_back({ cell, cell.FindOctants({ 0.0, 0.0, 0.0 }, 1.0) });
+    std::uint64_t                      quarters = 0;
+    for (unsigned int i = 0; i < 64; ++i)
+    {
+      const PointType corner{ 0.25 * (i & 3u), 0.25 * (i >> 2 & 3u), 0.25 * (i >> 4) };
+      quarters |= static_cast<std::uint64_t>(cell.MayIntersect(corner, 0.25) ? 1u : 0u) << i;
+    }
+    cells.push_back({ cell, quarters });
   }
   return cells;
 }
@@ -225,29 +241,35 @@ DelaunayRefinementLatticeOracle::GetCellValues(const IndexType & cell) const
   return values;
 }
 
-bool
-DelaunayRefinementLatticeOracle::IsInsideCell(const IndexType & cell, const PointType & lattice) const
-{
-  const unsigned int configuration = m_Mask->GetConfiguration(cell[0], cell[1], cell[2]);
-  if (configuration == 0 || configuration == 255)
-  {
-    return configuration != 0;
-  }
-  return this->VisitCell(cell, [&](const auto & content) { return content.IsInside(ToLocal(lattice, cell)); });
-}
-
 DelaunayRefinementOracle::RegionType
 DelaunayRefinementLatticeOracle::Classify(const PointType & point) const
 {
   const PointType lattice = this->ToLattice(point);
+  IndexType       cell;
   for (unsigned int i = 0; i < 3; ++i)
   {
     if (!(lattice[i] >= 0.0 && lattice[i] < m_Mask->GetSize()[i] + 1))
     {
       return 0;
     }
+    cell[i] = static_cast<std::int32_t>(lattice[i]);
   }
-  return this->IsInsideCell(ToIndex(lattice), lattice) ? 1 : 0;
+  using BrickEnum = DelaunayRefinementBricks::BrickEnum;
+  const BrickEnum brick = m_Bricks->GetKind({ cell[0] >> 2, cell[1] >> 2, cell[2] >> 2 });
+  if (brick != BrickEnum::MIXED)
+  {
+    return brick == BrickEnum::INSIDE ? 1 : 0;
+  }
+  const unsigned int configuration = m_Mask->GetConfiguration(cell[0], cell[1], cell[2]);
+  if (configuration == 0 || configuration == 255)
+  {
+    return configuration == 0 ? 0 : 1;
+  }
+  const PointType local = ToLocal(lattice, cell);
+  const bool      isInside = m_Model == ModelEnum::INDICATOR
+                               ? DelaunayRefinementIndicatorCell::Get(configuration).cell.IsInside(local)
+                               : this->VisitCell(cell, [&local](const auto & content) { return content.IsInside(local); });
+  return isInside ? 1 : 0;
 }
 
 bool

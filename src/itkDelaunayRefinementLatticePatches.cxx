@@ -29,8 +29,13 @@ namespace
 using Geometry = DelaunayRefinementGeometry;
 using PointType = DelaunayRefinementPoint;
 
-/** Patches of this level are single cells; those of level 0 are bricks. */
+/** Patches of level 0 are bricks, those of this level single cells. */
 constexpr unsigned int CellLevel = 2;
+
+/** The eighths of 4 x 4 x 4 cubes. */
+constexpr std::uint64_t LowestEighth = 0x0000000000330033u;
+constexpr std::uint64_t Eighths[8] = { LowestEighth,       LowestEighth << 2,  LowestEighth << 8,  LowestEighth << 10,
+                                       LowestEighth << 32, LowestEighth << 34, LowestEighth << 40, LowestEighth << 42 };
 
 /** A cube within a cell. */
 struct PlaceType
@@ -40,25 +45,34 @@ struct PlaceType
   double                      size;
 };
 
-/** In voxels. */
-double
-GetPatchSize(unsigned int level)
-{
-  return static_cast<double>(DelaunayRefinementBricks::BrickSize) / static_cast<double>(std::uint64_t{ 1 } << level);
-}
-
 PlaceType
-ToPlace(const std::array<std::int32_t, 3> & index, unsigned int level)
+ToPlace(const DelaunayRefinementOracle::SurfacePatchIdentifier & patch)
 {
-  const unsigned int shift = level - CellLevel;
+  const unsigned int shift = patch.level - CellLevel;
   PlaceType          place;
-  place.size = GetPatchSize(level);
+  place.size = 1.0 / static_cast<double>(std::uint64_t{ 1 } << shift);
   for (unsigned int i = 0; i < 3; ++i)
   {
-    place.cell[i] = index[i] >> shift;
-    place.corner[i] = index[i] * place.size - place.cell[i];
+    place.cell[i] = patch.index[i] >> shift;
+    place.corner[i] = patch.index[i] * place.size - place.cell[i];
   }
   return place;
+}
+
+PointType
+ToPoint(const std::array<std::int32_t, 3> & index, double scale)
+{
+  return { index[0] * scale, index[1] * scale, index[2] * scale };
+}
+
+/** An eighth of a patch. */
+DelaunayRefinementOracle::SurfacePatchIdentifier
+GetChild(const DelaunayRefinementOracle::SurfacePatchIdentifier & patch, std::int32_t child)
+{
+  return {
+    { 2 * patch.index[0] + (child & 1), 2 * patch.index[1] + (child >> 1 & 1), 2 * patch.index[2] + (child >> 2) },
+    static_cast<std::uint8_t>(patch.level + 1)
+  };
 }
 
 /** Three numbers in [0, 1) that depend on the arguments alone. */
@@ -82,169 +96,217 @@ Scatter(const std::array<std::int32_t, 3> & index, unsigned int level)
 
 } // namespace
 
-std::vector<DelaunayRefinementOracle::SurfacePatch>
+DelaunayRefinementOracle::SurfacePatches
 DelaunayRefinementLatticeOracle::GetSurfacePatches() const
 {
-  std::vector<SurfacePatch> patches;
-  patches.reserve(m_Bricks->GetActiveBricks().size());
+  SurfacePatches patches(this->GetSurfaceBounds().minimum);
   for (const IndexType & brick : m_Bricks->GetActiveBricks())
   {
-    SurfacePatch patch;
-    if (this->MakePatch(brick, 0, patch))
-    {
-      patches.push_back(patch);
-    }
+    constexpr double size = DelaunayRefinementBricks::BrickSize;
+    patches.Add(this->MakeShapeOfCubes(m_Bricks->GetCells(brick), 1.0),
+                patches.MakeCorner(this->ToPhysical(ToPoint(brick, size))),
+                { brick, 0 });
   }
   return patches;
 }
 
 void
-DelaunayRefinementLatticeOracle::SplitSurfacePatch(const SurfacePatch & patch, std::vector<SurfacePatch> & parts) const
+DelaunayRefinementLatticeOracle::SplitSurfacePatch(const SurfacePatchIdentifier & patch, SurfacePatches & parts) const
 {
-  unsigned int octants = 0xFFu;
-  if (patch.level >= CellLevel)
+  if (patch.level < CellLevel)
   {
-    const PlaceType place = ToPlace(patch.index, patch.level);
-    octants = this->FindOctants(place.cell, place.corner, place.size);
+    this->SplitBrick(patch, parts);
+    return;
   }
-  for (std::int32_t child = 0; child < 8; ++child)
+  if (patch.level == CellLevel)
   {
-    SurfacePatch part;
-    if ((octants >> child & 1u) && this->MakePatch({ 2 * patch.index[0] + (child & 1),
-                                                     2 * patch.index[1] + (child >> 1 & 1),
-                                                     2 * patch.index[2] + (child >> 2) },
-                                                   patch.level + 1u,
-                                                   part))
+    this->SplitCell(patch, parts);
+    return;
+  }
+  const PlaceType    place = ToPlace(patch);
+  const unsigned int octants = this->FindOctants(place.cell, place.corner, place.size);
+  const double       quarter = 0.25 * place.size;
+  const auto         shape = this->MakeShape({ quarter, quarter, quarter }, { quarter, quarter, quarter });
+  for (std::int32_t i = 0; i < 8; ++i)
+  {
+    if (octants >> i & 1u)
     {
-      parts.push_back(part);
+      const SurfacePatchIdentifier child = GetChild(patch, i);
+      parts.Add(shape, parts.MakeCorner(this->ToPhysical(ToPoint(child.index, 2.0 * quarter))), child);
+    }
+  }
+}
+
+void
+DelaunayRefinementLatticeOracle::SplitBrick(const SurfacePatchIdentifier & patch, SurfacePatches & parts) const
+{
+  const IndexType brick{ patch.index[0] >> patch.level, patch.index[1] >> patch.level, patch.index[2] >> patch.level };
+  const std::uint64_t cells = m_Bricks->GetCells(brick);
+  if (patch.level == 0)
+  {
+    constexpr double size = DelaunayRefinementBricks::BrickSize;
+    const auto       corner = parts.MakeCorner(this->ToPhysical(ToPoint(brick, size)));
+    for (std::int32_t i = 0; i < 8; ++i)
+    {
+      if (cells & Eighths[i])
+      {
+        parts.Add(this->MakeShapeOfCubes(cells & Eighths[i], 1.0), corner, GetChild(patch, i));
+      }
+    }
+    return;
+  }
+  const auto first = parts.MakeCorner(this->ToPhysical(ToPoint(patch.index, 2.0)));
+  for (std::int32_t i = 0; i < 8; ++i)
+  {
+    const SurfacePatchIdentifier child = GetChild(patch, i);
+    const IndexType &            cell = child.index;
+    if (cells >> DelaunayRefinementBricks::GetBit(cell) & 1u)
+    {
+      const std::array<float, 3> corner{ first[0] + m_CornerOffsets[i][0],
+                                         first[1] + m_CornerOffsets[i][1],
+                                         first[2] + m_CornerOffsets[i][2] };
+      if (m_Model == ModelEnum::INDICATOR)
+      {
+        parts.Add(m_CellShapes[m_Mask->GetConfiguration(cell[0], cell[1], cell[2])].cell, corner, child);
+      }
+      else if (const std::uint64_t quarters = this->GetQuarters(cell))
+      {
+        parts.Add(this->MakeShapeOfCubes(quarters, 0.25), corner, child);
+      }
+    }
+  }
+}
+
+void
+DelaunayRefinementLatticeOracle::SplitCell(const SurfacePatchIdentifier & patch, SurfacePatches & parts) const
+{
+  const IndexType & cell = patch.index;
+  const auto        corner = parts.MakeCorner(this->ToPhysical(ToPoint(cell, 1.0)));
+  if (m_Model == ModelEnum::INDICATOR)
+  {
+    const CellShapesType & shapes = m_CellShapes[m_Mask->GetConfiguration(cell[0], cell[1], cell[2])];
+    for (std::int32_t i = 0; i < 8; ++i)
+    {
+      if (shapes.octants >> i & 1u)
+      {
+        parts.Add(shapes.parts[i], corner, GetChild(patch, i));
+      }
+    }
+    return;
+  }
+  const std::uint64_t quarters = this->GetQuarters(cell);
+  for (std::int32_t i = 0; i < 8; ++i)
+  {
+    if (quarters & Eighths[i])
+    {
+      parts.Add(this->MakeShapeOfCubes(quarters & Eighths[i], 0.25), corner, GetChild(patch, i));
     }
   }
 }
 
 std::uint64_t
-DelaunayRefinementLatticeOracle::GetCellsOfPatch(const IndexType & index, unsigned int level) const
+DelaunayRefinementLatticeOracle::GetQuarters(const IndexType & cell) const
 {
-  const unsigned int shift = CellLevel - level;
-  const std::int32_t extent = (1 << shift) - 1;
-  const IndexType    first{ (index[0] << shift) & 3, (index[1] << shift) & 3, (index[2] << shift) & 3 };
-  const IndexType    last{ first[0] + extent, first[1] + extent, first[2] + extent };
-  return m_Bricks->GetCells({ index[0] >> level, index[1] >> level, index[2] >> level }) &
-         DelaunayRefinementBricks::GetBits(first, last);
+  if (m_Model != ModelEnum::GREY)
+  {
+    return ~std::uint64_t{ 0 };
+  }
+  const unsigned int octants = this->FindOctants(cell, { 0.0, 0.0, 0.0 }, 1.0);
+  std::uint64_t      quarters = 0;
+  for (unsigned int i = 0; i < 8; ++i)
+  {
+    quarters |= (octants >> i & 1u) ? Eighths[i] : 0;
+  }
+  return quarters;
+}
+
+std::vector<DelaunayRefinementLatticeOracle::CellShapesType>
+DelaunayRefinementLatticeOracle::MakeCellShapes() const
+{
+  std::vector<CellShapesType> shapes(256);
+  for (unsigned int configuration = 1; configuration < 255; ++configuration)
+  {
+    const std::uint64_t quarters = DelaunayRefinementIndicatorCell::Get(configuration).quarters;
+    shapes[configuration].cell = this->MakeShapeOfCubes(quarters, 0.25);
+    for (unsigned int i = 0; i < 8; ++i)
+    {
+      if (quarters & Eighths[i])
+      {
+        shapes[configuration].octants |= 1u << i;
+        shapes[configuration].parts[i] = this->MakeShapeOfCubes(quarters & Eighths[i], 0.25);
+      }
+    }
+  }
+  return shapes;
 }
 
 unsigned int
 DelaunayRefinementLatticeOracle::FindOctants(const IndexType & cell, const PointType & corner, double size) const
 {
-  if (m_Model == ModelEnum::INDICATOR && size == 1.0)
-  {
-    return DelaunayRefinementIndicatorCell::Get(m_Mask->GetConfiguration(cell[0], cell[1], cell[2])).octants;
-  }
   return this->VisitCell(cell, [&](const auto & content) { return content.FindOctants(corner, size); });
 }
 
-bool
-DelaunayRefinementLatticeOracle::MakePatch(const IndexType & index, unsigned int level, SurfacePatch & patch) const
+DelaunayRefinementOracle::SurfacePatches::ShapeType
+DelaunayRefinementLatticeOracle::MakeShape(const PointType & center, const PointType & extents) const
 {
-  const double size = GetPatchSize(level);
-  const double half = 0.5 * size;
-  PointType    center{ index[0] * size + half, index[1] * size + half, index[2] * size + half };
-  PointType    extents{ half, half, half };
-  if (level < CellLevel)
+  const PointType physical = Geometry::Subtract(this->ToPhysical(center), m_LatticeOrigin);
+  return SurfacePatches::MakeShape(physical, this->GetHalfExtents(extents), this->GetGreatestLength(extents));
+}
+
+DelaunayRefinementOracle::SurfacePatches::ShapeType
+DelaunayRefinementLatticeOracle::MakeShapeOfCubes(std::uint64_t cubes, double cubeSize) const
+{
+  // The numbers, 0 to 3, that occur along each axis.
+  std::uint64_t layers = cubes | cubes >> 32;
+  layers |= layers >> 16; // bit x + 4 y
+  const std::uint64_t rows = layers | layers >> 8;
+  const std::uint64_t columns = layers | layers >> 1;
+  const std::uint64_t pairs = columns | columns >> 2; // bit 4 y
+  const std::uint32_t numbers[3] = { static_cast<std::uint32_t>(rows | rows >> 4) & 15u,
+                                     static_cast<std::uint32_t>((pairs & 1u) | (pairs >> 3 & 2u) | (pairs >> 6 & 4u) |
+                                                                (pairs >> 9 & 8u)),
+                                     (cubes & 0xFFFFu ? 1u : 0u) | (cubes >> 16 & 0xFFFFu ? 2u : 0u) |
+                                       (cubes >> 32 & 0xFFFFu ? 4u : 0u) | (cubes >> 48 ? 8u : 0u) };
+  // Twice the middle of the first and the last number, and how many there are between them, by number.
+  constexpr std::uint8_t middles[16] = { 4, 1, 3, 2, 5, 3, 4, 3, 7, 4, 5, 4, 6, 4, 5, 4 };
+  constexpr std::uint8_t lengths[16] = { 4, 1, 1, 2, 1, 3, 2, 3, 1, 4, 3, 4, 2, 4, 3, 4 };
+  PointType              center;
+  PointType              extents;
+  for (unsigned int i = 0; i < 3; ++i)
   {
-    const std::uint64_t active = this->GetCellsOfPatch(index, level);
-    if (active == 0)
-    {
-      return false;
-    }
-    // The bounds of the cells with surface.
-    for (unsigned int i = 0; i < 3; ++i)
-    {
-      constexpr std::uint64_t slices[3][4] = {
-        { 0x1111111111111111u, 0x2222222222222222u, 0x4444444444444444u, 0x8888888888888888u },
-        { 0x000F000F000F000Fu, 0x00F000F000F000F0u, 0x0F000F000F000F00u, 0xF000F000F000F000u },
-        { 0x000000000000FFFFu, 0x00000000FFFF0000u, 0x0000FFFF00000000u, 0xFFFF000000000000u }
-      };
-      std::int32_t low = 0;
-      std::int32_t high = 3;
-      while (!(active & slices[i][low]))
-      {
-        ++low;
-      }
-      while (!(active & slices[i][high]))
-      {
-        --high;
-      }
-      const std::int32_t brickStart = index[i] >> level << CellLevel;
-      extents[i] = 0.5 * (high + 1 - low);
-      center[i] = brickStart + low + extents[i];
-    }
+    center[i] = 0.5 * cubeSize * middles[numbers[i]];
+    extents[i] = 0.5 * cubeSize * lengths[numbers[i]];
   }
-  else
-  {
-    unsigned int octants = 0xFFu;
-    if (level == CellLevel)
-    {
-      if (!m_Bricks->IsActiveCell(index))
-      {
-        return false;
-      }
-      if (m_Model == ModelEnum::INDICATOR || m_Model == ModelEnum::GREY)
-      {
-        octants = this->FindOctants(index, { 0.0, 0.0, 0.0 }, 1.0);
-      }
-    }
-    // The bounds of the octants with surface.
-    constexpr unsigned int lower[3] = { 0x55u, 0x33u, 0x0Fu };
-    for (unsigned int i = 0; i < 3; ++i)
-    {
-      const bool hasLower = octants & lower[i];
-      const bool hasUpper = octants & ~lower[i];
-      if (hasLower != hasUpper)
-      {
-        extents[i] *= 0.5;
-        center[i] += hasLower ? -extents[i] : extents[i];
-      }
-    }
-  }
-  patch.center = this->ToPhysical(center);
-  if (extents[0] == half && extents[1] == half && extents[2] == half)
-  {
-    patch.radius = half * m_CubeRadius;
-    patch.halfExtents = { half * m_CubeHalfExtents[0], half * m_CubeHalfExtents[1], half * m_CubeHalfExtents[2] };
-  }
-  else
-  {
-    patch.radius = this->GetGreatestLength(extents);
-    patch.halfExtents = this->GetHalfExtents(extents);
-  }
-  patch.index = index;
-  patch.level = static_cast<std::uint8_t>(level);
-  return true;
+  return this->MakeShape(center, extents);
 }
 
 bool
-DelaunayRefinementLatticeOracle::FindPointOfPatch(const SurfacePatch & patch, PointType & point) const
+DelaunayRefinementLatticeOracle::FindPointOfPatch(const SurfacePatchIdentifier & patch, PointType & point) const
 {
-  const unsigned int level = patch.level;
-  const PointType    random = Scatter(patch.index, level);
-  PlaceType          place{ {}, {}, 1.0 };
-  if (level < CellLevel)
+  const PointType random = Scatter(patch.index, patch.level);
+  PlaceType       place{ {}, {}, 1.0 };
+  if (patch.level < CellLevel)
   {
     // Some cell of those with surface.
-    std::uint64_t active = this->GetCellsOfPatch(patch.index, level);
-    for (auto skipped = static_cast<unsigned int>(random[0] * CountDelaunayRefinementBits(active)); skipped > 0;
+    const IndexType brick{ patch.index[0] >> patch.level,
+                           patch.index[1] >> patch.level,
+                           patch.index[2] >> patch.level };
+    std::uint64_t   cells = m_Bricks->GetCells(brick);
+    if (patch.level > 0)
+    {
+      cells &= Eighths[(patch.index[0] & 1) | (patch.index[1] & 1) << 1 | (patch.index[2] & 1) << 2];
+    }
+    for (auto skipped = static_cast<unsigned int>(random[0] * CountDelaunayRefinementBits(cells)); skipped > 0;
          --skipped)
     {
-      active &= active - 1;
+      cells &= cells - 1;
     }
-    const auto chosen = static_cast<std::int32_t>(FindDelaunayRefinementBit(active));
-    place.cell = { (patch.index[0] >> level << CellLevel) + (chosen & 3),
-                   (patch.index[1] >> level << CellLevel) + (chosen >> 2 & 3),
-                   (patch.index[2] >> level << CellLevel) + (chosen >> 4) };
+    const auto chosen = static_cast<std::int32_t>(FindDelaunayRefinementBit(cells));
+    place.cell = { 4 * brick[0] + (chosen & 3), 4 * brick[1] + (chosen >> 2 & 3), 4 * brick[2] + (chosen >> 4) };
   }
   else
   {
-    place = ToPlace(patch.index, level);
+    place = ToPlace(patch);
   }
   const PointType start{ place.corner[0] + random[0] * place.size,
                          place.corner[1] + random[1] * place.size,

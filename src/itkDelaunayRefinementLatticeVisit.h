@@ -33,11 +33,11 @@ ToLocal(const DelaunayRefinementPoint & lattice, const std::array<std::int32_t, 
   return { lattice[0] - cell[0], lattice[1] - cell[1], lattice[2] - cell[2] };
 }
 
-/** The cells of a mask's interpolated indicator, by configuration, with their octants. */
+/** The cells of a mask's interpolated indicator, by configuration, with the quarters that may hold surface. */
 struct DelaunayRefinementIndicatorCell
 {
   DelaunayRefinementLinearCell cell;
-  unsigned int                 octants;
+  std::uint64_t                quarters;
 
   static const DelaunayRefinementIndicatorCell &
   Get(unsigned int configuration)

@@ -18,6 +18,7 @@
 #include "itkDelaunayRefinementPatchCover.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace itk
 {
@@ -25,37 +26,43 @@ namespace
 {
 using Geometry = DelaunayRefinementGeometry;
 
-/** Cubes per patch; more would take longer to set up than they save. */
-constexpr double MostCubesPerPatch = 8.0;
-
-/** In units of float's epsilon. */
-constexpr double Roundings = 8.0;
+/** Cubes per group; more would take longer to set up than they save. */
+constexpr double MostCubesPerGroup = 4.0;
 
 /** Edge of the cubes over the greatest reach. */
 constexpr double CubeSize = 0.7;
 } // namespace
 
-DelaunayRefinementPatchCover::DelaunayRefinementPatchCover(std::vector<EntryType> entries)
+DelaunayRefinementPatchCover::DelaunayRefinementPatchCover(const PatchesType & roots, double greatestDelta)
+  : m_Minimum(roots.GetOrigin())
 {
-  if (entries.empty())
+  if (roots.GetSize() == 0)
   {
     return;
   }
-  m_Minimum = entries.front().patch.center;
+  m_Marks.GetPatches().Clear(roots.GetOrigin());
+  m_Groups.resize(roots.GetSize());
   PointType maximum = m_Minimum;
-  for (const EntryType & entry : entries)
+  double    largest = 0.0;
+  for (std::size_t i = 0; i < roots.GetSize(); ++i)
   {
-    m_GreatestReach = std::max(m_GreatestReach, entry.delta);
-    for (unsigned int i = 0; i < 3; ++i)
+    const auto root = roots.Get(i);
+    for (unsigned int axis = 0; axis < 3; ++axis)
     {
-      m_Minimum[i] = std::min(m_Minimum[i], entry.patch.center[i]);
-      maximum[i] = std::max(maximum[i], entry.patch.center[i]);
+      m_Minimum[axis] = i == 0 ? root.center[axis] : std::min(m_Minimum[axis], root.center[axis]);
+      maximum[axis] = i == 0 ? root.center[axis] : std::max(maximum[axis], root.center[axis]);
+      largest = std::max(largest, root.halfExtents[axis]);
     }
   }
+  m_GreatestReach = greatestDelta + largest;
   const PointType extent = Geometry::Subtract(maximum, m_Minimum);
-  double          size = CubeSize * m_GreatestReach;
+  const auto      getExtent = [&](const PointType & corner) {
+    return Geometry::Distance(corner, roots.GetOrigin()) + 2.0 * m_GreatestReach;
+  };
+  m_Extent = std::max(getExtent(m_Minimum), getExtent(maximum)) + Geometry::Distance(m_Minimum, maximum);
+  double     size = CubeSize * m_GreatestReach;
   const auto count = [&] { return (1.0 + extent[0] / size) * (1.0 + extent[1] / size) * (1.0 + extent[2] / size); };
-  while (!(count() < 64.0 + MostCubesPerPatch * static_cast<double>(entries.size())))
+  while (!(count() < 64.0 + MostCubesPerGroup * static_cast<double>(roots.GetSize())))
   {
     size = 1.25 * size + std::numeric_limits<double>::min();
   }
@@ -66,11 +73,11 @@ DelaunayRefinementPatchCover::DelaunayRefinementPatchCover(std::vector<EntryType
   }
 
   // Sorting by counting keeps the order within cubes.
-  std::vector<std::uint32_t> cubes(entries.size());
+  std::vector<std::uint32_t> cubes(roots.GetSize());
   m_Starts.assign(this->ToOffset({ m_Size[0] - 1, m_Size[1] - 1, m_Size[2] - 1 }) + 2, 0);
-  for (std::size_t i = 0; i < entries.size(); ++i)
+  for (std::size_t i = 0; i < cubes.size(); ++i)
   {
-    cubes[i] = static_cast<std::uint32_t>(this->ToOffset(this->FindCube(entries[i].patch.center, 0.0)));
+    cubes[i] = static_cast<std::uint32_t>(this->ToOffset(this->FindCube(roots.Get(i).center, 0.0)));
     ++m_Starts[cubes[i] + 1];
   }
   for (std::size_t cube = 1; cube < m_Starts.size(); ++cube)
@@ -78,34 +85,24 @@ DelaunayRefinementPatchCover::DelaunayRefinementPatchCover(std::vector<EntryType
     m_Starts[cube] += m_Starts[cube - 1];
   }
   std::vector<std::uint32_t> next(m_Starts.begin(), m_Starts.end() - 1);
-  m_Entries.resize(entries.size());
-  m_IsCovered.assign(entries.size(), 0);
-  for (std::size_t i = 0; i < entries.size(); ++i)
+  m_Order.resize(cubes.size());
+  for (std::uint32_t i = 0; i < cubes.size(); ++i)
   {
-    m_Entries[next[cubes[i]]++] = entries[i];
+    const std::uint32_t place = next[cubes[i]]++;
+    const auto          root = roots.Get(i);
+    m_Order[place] = i;
+    m_Groups[place] = { root.center, root.halfExtents, 0, 0, true };
   }
-  this->MakeBoxes(std::max({ extent[0], extent[1], extent[2] }) + m_GreatestReach);
 }
 
 void
-DelaunayRefinementPatchCover::MakeBoxes(double extent)
+DelaunayRefinementPatchCover::EndGroup(bool isUniform)
 {
-  // Each of the coordinates and differences is off by at most this share of the extent.
-  const double off = Roundings * std::numeric_limits<float>::epsilon() * extent;
-  const auto   square = [off](double length) {
-    const double less = (1.0 - Roundings * std::numeric_limits<float>::epsilon()) * length - off;
-    return less > 0.0 ? static_cast<float>(less * less) : -1.0f;
-  };
-  for (const EntryType & entry : m_Entries)
-  {
-    for (unsigned int i = 0; i < 3; ++i)
-    {
-      m_Boxes.center[i].push_back(static_cast<float>(entry.patch.center[i] - m_Minimum[i]));
-      m_Boxes.halfExtents[i].push_back(static_cast<float>(entry.patch.halfExtents[i]));
-    }
-    m_Boxes.squaredDelta.push_back(square(entry.delta));
-    m_Boxes.squaredReach.push_back(square(entry.delta - entry.patch.radius));
-  }
+  GroupType & group = m_Groups[m_NumberOfGroups];
+  group.begin = m_NumberOfGroups == 0 ? 0 : m_Groups[m_NumberOfGroups - 1].end;
+  group.end = static_cast<std::uint32_t>(m_Marks.GetPatches().GetSize());
+  group.isUniform = isUniform;
+  ++m_NumberOfGroups;
 }
 
 DelaunayRefinementPatchCover::CubeType
@@ -123,32 +120,22 @@ DelaunayRefinementPatchCover::FindCube(const PointType & point, double offset) c
 void
 DelaunayRefinementPatchCover::CoverFrom(const PointType & vertex)
 {
-  if (m_Entries.empty())
+  if (m_Groups.empty())
   {
     return;
   }
-  const float    x = static_cast<float>(vertex[0] - m_Minimum[0]);
-  const float    y = static_cast<float>(vertex[1] - m_Minimum[1]);
-  const float    z = static_cast<float>(vertex[2] - m_Minimum[2]);
   const CubeType first = this->FindCube(vertex, -m_GreatestReach);
   const CubeType last = this->FindCube(vertex, m_GreatestReach);
   for (std::int32_t cubeZ = first[2]; cubeZ <= last[2]; ++cubeZ)
   {
     for (std::int32_t cubeY = first[1]; cubeY <= last[1]; ++cubeY)
     {
+      // The groups of a row of cubes follow each other, and so do their patches.
+      const std::uint32_t begin = m_Starts[this->ToOffset({ first[0], cubeY, cubeZ })];
       const std::uint32_t end = m_Starts[this->ToOffset({ last[0], cubeY, cubeZ }) + 1];
-      for (std::uint32_t i = m_Starts[this->ToOffset({ first[0], cubeY, cubeZ })]; i < end; ++i)
+      if (begin < end)
       {
-        const float dx = std::abs(x - m_Boxes.center[0][i]);
-        const float dy = std::abs(y - m_Boxes.center[1][i]);
-        const float dz = std::abs(z - m_Boxes.center[2][i]);
-        const float furthestX = dx + m_Boxes.halfExtents[0][i];
-        const float furthestY = dy + m_Boxes.halfExtents[1][i];
-        const float furthestZ = dz + m_Boxes.halfExtents[2][i];
-        const bool  isInBox =
-          furthestX * furthestX + furthestY * furthestY + furthestZ * furthestZ <= m_Boxes.squaredDelta[i];
-        const bool isInBall = dx * dx + dy * dy + dz * dz <= m_Boxes.squaredReach[i];
-        m_IsCovered[i] = static_cast<char>(m_IsCovered[i] | isInBox | isInBall);
+        m_Marks.CoverFrom(vertex, m_Groups[begin].begin, m_Groups[end - 1].end);
       }
     }
   }

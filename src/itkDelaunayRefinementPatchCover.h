@@ -19,12 +19,14 @@
 #define itkDelaunayRefinementPatchCover_h
 
 #include "itkDelaunayRefinementGeometry.h"
-#include "itkDelaunayRefinementOracle.h"
+#include "itkDelaunayRefinementPatchMarks.h"
 
 namespace itk
 {
 /** \class DelaunayRefinementPatchCover
- * \brief Patches of the surface in a grid of cubes, each marked once it is covered: within delta of a vertex.
+ * \brief All patches of a surface, in a grid, so that a vertex finds those that it covers.
+ *
+ * Patches come in groups, the parts of one larger patch each.
  *
  * \ingroup DelaunayRefinement
  */
@@ -32,56 +34,49 @@ class DelaunayRefinementPatchCover
 {
 public:
   using PointType = DelaunayRefinementPoint;
-  using PatchType = DelaunayRefinementOracle::SurfacePatch;
+  using PatchesType = DelaunayRefinementSurfacePatches;
 
-  /** A patch is covered by a vertex within \c delta of all of it. \c isUniform is the caller's. */
-  struct EntryType
+  /** The parts \c begin to \c end (not included) of a patch. */
+  struct GroupType
   {
-    PatchType patch;
-    double    delta;
-    bool      isUniform;
+    PointType     center;
+    PointType     halfExtents;
+    std::uint32_t begin;
+    std::uint32_t end;
+    bool          isUniform; // the caller's
   };
 
-  /** Whether all of a patch is within delta of a point. */
-  static bool
-  IsWithin(const PatchType & patch, double delta, const PointType & point)
+  /** The larger patches, and the greatest delta there is. */
+  DelaunayRefinementPatchCover(const PatchesType & roots, double greatestDelta);
+
+  /** The numbers of the roots in an order that has neighbors close together: that of the groups. */
+  const std::vector<std::uint32_t> &
+  GetOrder() const
   {
-    const double reach = delta - patch.radius;
-    const double x = std::abs(point[0] - patch.center[0]);
-    const double y = std::abs(point[1] - patch.center[1]);
-    const double z = std::abs(point[2] - patch.center[2]);
-    const double furthestX = x + patch.halfExtents[0];
-    const double furthestY = y + patch.halfExtents[1];
-    const double furthestZ = z + patch.halfExtents[2];
-    return furthestX * furthestX + furthestY * furthestY + furthestZ * furthestZ <= delta * delta ||
-           (reach > 0.0 && x * x + y * y + z * z <= reach * reach);
+    return m_Order;
   }
 
-  /** Sorts the entries by cubes. */
-  explicit DelaunayRefinementPatchCover(std::vector<EntryType> entries);
-
-  std::size_t
-  GetNumberOfPatches() const
-  {
-    return m_Entries.size();
-  }
-
-  const EntryType &
-  GetEntry(std::size_t number) const
-  {
-    return m_Entries[number];
-  }
-
-  bool
-  IsCovered(std::size_t number) const
-  {
-    return m_IsCovered[number] != 0;
-  }
-
+  /** Adds parts to GetMarks().GetPatches(), those of the next group after those of the last one. */
   void
-  SetCovered(std::size_t number)
+  EndGroup(bool isUniform);
+
+  const std::vector<GroupType> &
+  GetGroups() const
   {
-    m_IsCovered[number] = 1;
+    return m_Groups;
+  }
+
+  DelaunayRefinementPatchMarks &
+  GetMarks()
+  {
+    return m_Marks;
+  }
+
+  /** All that vertices can reach lies within this distance of the patches' origin. */
+  double
+  GetExtent() const
+  {
+    return m_Extent;
   }
 
   /** Marks all patches that a vertex covers. */
@@ -90,19 +85,6 @@ public:
 
 private:
   using CubeType = std::array<std::int32_t, 3>;
-
-  /** What decides, in single precision, from the grid's corner: a little less is covered than could be. One array each,
-   * so that several are compared at once. */
-  struct BoxesType
-  {
-    std::array<std::vector<float>, 3> center{};
-    std::array<std::vector<float>, 3> halfExtents{};
-    std::vector<float>                squaredDelta{};
-    std::vector<float>                squaredReach{};
-  };
-
-  void
-  MakeBoxes(double extent);
 
   /** Points beyond the grid belong to the cubes at its border. */
   CubeType
@@ -114,14 +96,16 @@ private:
     return (static_cast<std::size_t>(cube[2]) * m_Size[1] + cube[1]) * m_Size[0] + cube[0];
   }
 
-  double                     m_GreatestReach{ 0.0 };
-  double                     m_CubesPerLength{ 1.0 };
-  PointType                  m_Minimum{};
-  CubeType                   m_Size{};
-  std::vector<std::uint32_t> m_Starts{}; // of each cube's patches, and the end
-  std::vector<EntryType>     m_Entries{};
-  BoxesType                  m_Boxes{};
-  std::vector<char>          m_IsCovered{};
+  double                       m_GreatestReach{ 0.0 };
+  double                       m_Extent{ 0.0 };
+  double                       m_CubesPerLength{ 1.0 };
+  PointType                    m_Minimum{};
+  CubeType                     m_Size{};
+  std::vector<std::uint32_t>   m_Starts{}; // of each cube's groups, and the end
+  std::vector<std::uint32_t>   m_Order{};
+  std::vector<GroupType>       m_Groups{};
+  std::size_t                  m_NumberOfGroups{ 0 };
+  DelaunayRefinementPatchMarks m_Marks{};
 };
 } // end namespace itk
 

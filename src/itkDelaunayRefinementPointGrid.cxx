@@ -17,6 +17,10 @@
  *=========================================================================*/
 #include "itkDelaunayRefinementPointGrid.h"
 
+#include "itkDelaunayRefinementBits.h"
+
+#include <algorithm>
+
 namespace itk
 {
 namespace
@@ -43,18 +47,21 @@ DelaunayRefinementPointGrid::DelaunayRefinementPointGrid(const PointType & minim
     m_Size[i] = 1 + static_cast<std::int32_t>(extent[i] * m_InverseSize);
   }
   m_LastBlocks.assign(this->ToOffset(m_Size[0] - 1, m_Size[1] - 1, m_Size[2] - 1) + 1, None);
+  m_WordsPerRow = static_cast<std::size_t>(m_Size[0] - 1) / 64 + 1;
+  m_IsOccupied.assign(m_WordsPerRow * m_Size[1] * m_Size[2], 0);
 }
 
 void
 DelaunayRefinementPointGrid::Add(const PointType & point)
 {
-  const CubeType cube = this->ToCube(point, 0.0);
+  const CubeType cube = this->ToCube(point);
   std::int32_t & last = m_LastBlocks[this->ToOffset(cube[0], cube[1], cube[2])];
   if (last == None || m_Blocks[last].numberOfPoints == m_Blocks[last].points.size())
   {
     m_Blocks.push_back({ {}, 0, last });
     last = static_cast<std::int32_t>(m_Blocks.size() - 1);
   }
+  m_IsOccupied[m_WordsPerRow * this->ToRow(cube[1], cube[2]) + (cube[0] >> 6)] |= std::uint64_t{ 1 } << (cube[0] & 63);
   BlockType & block = m_Blocks[last];
   block.points[block.numberOfPoints++] = point;
   m_Points.push_back(point);
@@ -62,29 +69,37 @@ DelaunayRefinementPointGrid::Add(const PointType & point)
 
 template <typename TVisitor>
 bool
-DelaunayRefinementPointGrid::VisitWithin(const PointType & point, double radius, const TVisitor & visitor) const
+DelaunayRefinementPointGrid::VisitCubes(const PointType & minimum,
+                                        const PointType & maximum,
+                                        const TVisitor &  visitor) const
 {
-  const CubeType first = this->ToCube(point, -radius);
-  const CubeType last = this->ToCube(point, radius);
-  const double   squaredRadius = radius * radius;
+  const CubeType first = this->ToCube(minimum);
+  const CubeType last = this->ToCube(maximum);
   for (std::int32_t z = first[2]; z <= last[2]; ++z)
   {
     for (std::int32_t y = first[1]; y <= last[1]; ++y)
     {
-      for (std::int32_t x = first[0]; x <= last[0]; ++x)
+      const std::uint64_t * const row = m_IsOccupied.data() + m_WordsPerRow * this->ToRow(y, z);
+      for (std::int32_t word = first[0] >> 6; word <= last[0] >> 6; ++word)
       {
-        for (std::int32_t number = m_LastBlocks[this->ToOffset(x, y, z)]; number != None;)
+        std::uint64_t occupied = row[word];
+        occupied &= word == first[0] >> 6 ? ~std::uint64_t{ 0 } << (first[0] & 63) : ~std::uint64_t{ 0 };
+        occupied &= word == last[0] >> 6 ? ~std::uint64_t{ 0 } >> (63 - (last[0] & 63)) : ~std::uint64_t{ 0 };
+        for (; occupied != 0; occupied &= occupied - 1)
         {
-          const BlockType & block = m_Blocks[number];
-          for (std::uint32_t i = 0; i < block.numberOfPoints; ++i)
+          const std::int32_t x = 64 * word + static_cast<std::int32_t>(FindDelaunayRefinementBit(occupied));
+          for (std::int32_t number = m_LastBlocks[this->ToOffset(x, y, z)]; number != None;)
           {
-            if (DelaunayRefinementGeometry::SquaredDistance(point, block.points[i]) <= squaredRadius &&
-                visitor(block.points[i]))
+            const BlockType & block = m_Blocks[number];
+            for (std::uint32_t i = 0; i < block.numberOfPoints; ++i)
             {
-              return true;
+              if (visitor(block.points[i]))
+              {
+                return true;
+              }
             }
+            number = block.previous;
           }
-          number = block.previous;
         }
       }
     }
@@ -95,14 +110,38 @@ DelaunayRefinementPointGrid::VisitWithin(const PointType & point, double radius,
 bool
 DelaunayRefinementPointGrid::HasPointWithin(const PointType & point, double radius) const
 {
-  return this->VisitWithin(point, radius, [](const PointType &) { return true; });
+  const double squaredRadius = radius * radius;
+  return this->VisitCubes({ point[0] - radius, point[1] - radius, point[2] - radius },
+                          { point[0] + radius, point[1] + radius, point[2] + radius },
+                          [&](const PointType & other) {
+                            return DelaunayRefinementGeometry::SquaredDistance(point, other) <= squaredRadius;
+                          });
 }
 
 void
-DelaunayRefinementPointGrid::FindWithin(const PointType & point, double radius, std::vector<PointType> & found) const
+DelaunayRefinementPointGrid::FindWithinOfBox(const PointType &        center,
+                                             const PointType &        halfExtents,
+                                             double                   radius,
+                                             std::vector<PointType> & found) const
 {
-  this->VisitWithin(point, radius, [&found](const PointType & other) {
-    found.push_back(other);
+  PointType minimum;
+  PointType maximum;
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    minimum[i] = center[i] - halfExtents[i] - radius;
+    maximum[i] = center[i] + halfExtents[i] + radius;
+  }
+  this->VisitCubes(minimum, maximum, [&](const PointType & point) {
+    double squared = 0.0;
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      const double beyond = std::max(0.0, std::abs(point[i] - center[i]) - halfExtents[i]);
+      squared += beyond * beyond;
+    }
+    if (squared <= radius * radius)
+    {
+      found.push_back(point);
+    }
     return false;
   });
 }

@@ -42,9 +42,12 @@ public:
   bool
   HasPointWithin(const PointType & point, double radius) const;
 
-  /** Appends the points within \c radius. */
+  /** Appends the points within \c radius of a box. */
   void
-  FindWithin(const PointType & point, double radius, std::vector<PointType> & found) const;
+  FindWithinOfBox(const PointType &        center,
+                  const PointType &        halfExtents,
+                  double                   radius,
+                  std::vector<PointType> & found) const;
 
   /** All points, in the order in which they were added. */
   const std::vector<PointType> &
@@ -66,19 +69,19 @@ private:
     std::int32_t             previous;
   };
 
-  /** Calls \c visitor with the points within \c radius until it returns true, and tells whether it did. */
+  /** Calls \c visitor with the points in the cubes that meet a box until it returns true, and tells whether it did. */
   template <typename TVisitor>
   bool
-  VisitWithin(const PointType & point, double radius, const TVisitor & visitor) const;
+  VisitCubes(const PointType & minimum, const PointType & maximum, const TVisitor & visitor) const;
 
   /** Points beyond the box belong to the cubes at its border: slower there, never wrong. */
   CubeType
-  ToCube(const PointType & point, double offset) const
+  ToCube(const PointType & point) const
   {
     CubeType cube;
     for (unsigned int i = 0; i < 3; ++i)
     {
-      const double index = (point[i] + offset - m_Minimum[i]) * m_InverseSize;
+      const double index = (point[i] - m_Minimum[i]) * m_InverseSize;
       cube[i] = index > 0.0 ? index < m_Size[i] ? static_cast<std::int32_t>(index) : m_Size[i] - 1 : 0;
     }
     return cube;
@@ -87,7 +90,13 @@ private:
   std::size_t
   ToOffset(std::int32_t x, std::int32_t y, std::int32_t z) const
   {
-    return (static_cast<std::size_t>(z) * m_Size[1] + y) * m_Size[0] + x;
+    return this->ToRow(y, z) * m_Size[0] + x;
+  }
+
+  std::size_t
+  ToRow(std::int32_t y, std::int32_t z) const
+  {
+    return static_cast<std::size_t>(z) * m_Size[1] + y;
   }
 
   PointType                 m_Minimum;
@@ -96,6 +105,10 @@ private:
   std::vector<PointType>    m_Points{};
   std::vector<BlockType>    m_Blocks{};
   std::vector<std::int32_t> m_LastBlocks{}; // of each cube
+
+  // A bit for each cube with points.
+  std::size_t                m_WordsPerRow{ 0 };
+  std::vector<std::uint64_t> m_IsOccupied{};
 };
 } // end namespace itk
 

@@ -28,7 +28,7 @@ namespace
 using Geometry = DelaunayRefinementGeometry;
 
 /** R1 inserts points at this share of delta from others, so that what is left over is certainly within delta. */
-constexpr double Separation = 0.999;
+constexpr double Separation = 0.98;
 
 /** Edge of the cubes in which vertices are looked up, over delta. */
 constexpr double CubeSize = 2.0;
@@ -40,6 +40,9 @@ constexpr std::size_t VisitsBetweenQuestions = 16384;
 
 /** Patches no larger than this share of delta are sampled in a random order, which keeps the sample sparse. */
 constexpr double SampledPatch = 0.75;
+
+/** So many patches that follow each other, and lie close together, are shuffled: they fit into a cache. */
+constexpr std::size_t ShuffledPatches = 4096;
 
 /** A part is sampled if its center is no further than this share of its radius inside the covered part of space. */
 constexpr double HopefulShare = 0.35;
@@ -63,13 +66,16 @@ DelaunayRefinementSurfaceSample::DelaunayRefinementSurfaceSample(const DelaunayR
 std::vector<std::uint32_t>
 DelaunayRefinementSurfaceSample::MakeRandomOrder(std::size_t length)
 {
-  // Written out, as the standard leaves the outcome of std::shuffle open.
   std::vector<std::uint32_t> order(length);
   std::iota(order.begin(), order.end(), 0);
   std::mt19937_64 random(length);
-  for (std::size_t i = length; i > 1; --i)
+  for (std::size_t begin = 0; begin < length; begin += ShuffledPatches)
   {
-    std::swap(order[i - 1], order[random() % i]);
+    // Written out, as the standard leaves the outcome of std::shuffle open.
+    for (std::size_t i = std::min(ShuffledPatches, length - begin); i > 1; --i)
+    {
+      std::swap(order[begin + i - 1], order[begin + random() % i]);
+    }
   }
   return order;
 }
@@ -82,64 +88,75 @@ DelaunayRefinementSurfaceSample::IsUniform(const PatchType & patch) const
 }
 
 double
-DelaunayRefinementSurfaceSample::GetLeastDelta(const PatchType & patch, bool isUniform) const
+DelaunayRefinementSurfaceSample::GetLeastDelta(const PatchesType & patches, std::size_t number, bool isUniform) const
 {
   if (isUniform)
   {
     return m_LocalDelta.GetMaximum();
   }
+  const PatchType patch = patches.Get(number);
   return patch.radius < SmallPatch * m_LocalDelta.GetMinimum()
            ? m_LocalDelta.GetAt(patch.center)
            : m_LocalDelta.GetMinimumWithin(patch.center, patch.radius);
 }
 
 bool
-DelaunayRefinementSurfaceSample::CollectPatches(std::vector<DelaunayRefinementPatchCover::EntryType> & entries,
-                                                const std::function<bool()> &                          mayVisit) const
+DelaunayRefinementSurfaceSample::CollectPatches(const PatchesType &            roots,
+                                                DelaunayRefinementPatchCover & cover,
+                                                const MayVisitType &           mayVisit)
 {
-  std::vector<PatchType> stack;
-  for (const PatchType & patch : m_Oracle.GetSurfacePatches())
+  std::vector<double> deltas;
+  PatchesType &       patches = cover.GetMarks().GetPatches();
+  PatchesType         wholes;
+  patches.Reserve(8 * roots.GetSize());
+  for (const std::uint32_t number : cover.GetOrder())
   {
-    const bool isUniform = this->IsUniform(patch);
-    stack.assign(1, patch);
-    while (!stack.empty())
+    const bool isUniform = this->IsUniform(roots.Get(number));
+    wholes.Clear(roots.GetOrigin());
+    wholes.Add(roots, number);
+    while (wholes.GetSize() > 0)
     {
-      if (!mayVisit())
+      if (!mayVisit(wholes.GetSize()))
       {
         return false;
       }
-      const PatchType top = stack.back();
-      stack.pop_back();
-      const double delta = this->GetLeastDelta(top, isUniform);
-      if (top.radius > SampledPatch * delta)
+      m_Parts.Clear(roots.GetOrigin());
+      for (std::size_t i = 0; i < wholes.GetSize(); ++i)
       {
-        m_Oracle.SplitSurfacePatch(top, stack);
+        const double delta = this->GetLeastDelta(wholes, i, isUniform);
+        if (wholes.GetRadii()[i] > SampledPatch * delta)
+        {
+          m_Oracle.SplitSurfacePatch(wholes.GetIdentifier(i), m_Parts);
+        }
+        else
+        {
+          patches.Add(wholes, i);
+          deltas.push_back(delta);
+        }
       }
-      else
-      {
-        entries.push_back({ top, delta, isUniform });
-      }
+      std::swap(wholes, m_Parts);
     }
+    cover.EndGroup(isUniform);
   }
+  cover.GetMarks().Start(cover.GetExtent(), HopefulShare, [&deltas](std::size_t i) { return deltas[i]; });
   return true;
 }
 
 DelaunayRefinementSurfaceSample::OutcomeEnum
-DelaunayRefinementSurfaceSample::Sample(const PatchType &              patch,
-                                        bool                           isUniform,
-                                        DelaunayRefinementPatchCover & cover,
-                                        std::vector<PointType> &       points)
+DelaunayRefinementSurfaceSample::Sample(const PatchesType::IdentifierType & patch,
+                                        bool                                isUniform,
+                                        DelaunayRefinementPatchCover &      cover,
+                                        std::vector<PointType> &            points)
 {
   PointType point;
   if (!m_Oracle.FindPointOfPatch(patch, point))
   {
-    return OutcomeEnum::DONE;
+    return OutcomeEnum::EMPTY;
   }
   const double own = isUniform ? m_LocalDelta.GetMaximum() : m_LocalDelta.GetAt(point);
-  const double apart = Separation * own;
-  if (m_Grid.HasPointWithin(point, apart))
+  if (m_Grid.HasPointWithin(point, Separation * own))
   {
-    return patch.radius < SmallestPatch * own ? OutcomeEnum::DONE : OutcomeEnum::NOTHING;
+    return OutcomeEnum::TOO_NEAR;
   }
   if (m_RoundToFloat)
   {
@@ -152,57 +169,63 @@ DelaunayRefinementSurfaceSample::Sample(const PatchType &              patch,
 }
 
 bool
-DelaunayRefinementSurfaceSample::CoverByParts(const PatchType &              patch,
-                                              bool                           isUniform,
-                                              DelaunayRefinementPatchCover & cover,
-                                              std::vector<PointType> &       points,
-                                              const std::function<bool()> &  mayVisit)
+DelaunayRefinementSurfaceSample::CoverGroup(const DelaunayRefinementPatchCover::GroupType & group,
+                                            DelaunayRefinementPatchCover &                  cover,
+                                            std::vector<PointType> &                        points,
+                                            const MayVisitType &                            mayVisit)
 {
-  m_Nearby.clear();
-  m_Grid.FindWithin(patch.center, m_LocalDelta.GetMaximum() + patch.radius, m_Nearby);
-  m_Stack.assign(1, patch);
-  while (!m_Stack.empty())
+  const DelaunayRefinementPatchMarks & marks = cover.GetMarks();
+  m_Parts.Clear(group.center);
+  for (std::size_t i = group.begin; i < group.end; ++i)
   {
-    if (!mayVisit())
+    if (!marks.IsCovered(i))
+    {
+      m_Oracle.SplitSurfacePatch(marks.GetPatches().GetIdentifier(i), m_Parts);
+    }
+  }
+  if (m_Parts.GetSize() == 0)
+  {
+    return true;
+  }
+  const double greatest = m_LocalDelta.GetMaximum();
+  m_Found.clear();
+  m_Grid.FindWithinOfBox(group.center, group.halfExtents, greatest, m_Found);
+  m_Nearby.Start(group.center, greatest + std::sqrt(Geometry::Dot(group.halfExtents, group.halfExtents)));
+  std::for_each(m_Found.begin(), m_Found.end(), [this](const PointType & vertex) { m_Nearby.Add(vertex); });
+  while (m_Parts.GetSize() > 0)
+  {
+    std::swap(m_Wholes, m_Parts);
+    m_Parts.Clear(group.center);
+    if (!mayVisit(m_Wholes.GetSize()))
     {
       return false;
     }
-    const PatchType part = m_Stack.back();
-    m_Stack.pop_back();
-    const double delta = this->GetLeastDelta(part, isUniform);
-    const auto   covering = std::find_if(m_Nearby.begin(), m_Nearby.end(), [&](const PointType & vertex) {
-      return DelaunayRefinementPatchCover::IsWithin(part, delta, vertex);
-    });
-    if (covering != m_Nearby.end())
+    for (std::size_t i = 0; i < m_Wholes.GetSize(); ++i)
     {
-      // Likely to cover the next part, too.
-      std::iter_swap(m_Nearby.begin(), covering);
-      continue;
-    }
-    double squaredNearest = std::numeric_limits<double>::infinity();
-    for (const PointType & vertex : m_Nearby)
-    {
-      squaredNearest = std::min(squaredNearest, Geometry::SquaredDistance(part.center, vertex));
-    }
-    // Points of a part whose center is well covered are likely to be too near.
-    const double hopeful = delta - HopefulShare * part.radius;
-    if (!(hopeful > 0.0 && squaredNearest <= hopeful * hopeful) || part.radius < SmallestPatch * delta)
-    {
-      const OutcomeEnum outcome = this->Sample(part, isUniform, cover, points);
-      if (outcome == OutcomeEnum::INSERTED)
+      const double delta = this->GetLeastDelta(m_Wholes, i, group.isUniform);
+      const auto   answer = m_Nearby.Ask(m_Wholes, i, delta, HopefulShare);
+      if (answer == AnswerEnum::COVERED)
       {
-        m_Nearby.push_back(points.back());
-        if (DelaunayRefinementPatchCover::IsWithin(part, delta, points.back()))
+        continue;
+      }
+      // Points of a patch whose center is well covered are likely to be too near.
+      const bool isSmallest = m_Wholes.GetRadii()[i] < SmallestPatch * delta;
+      if (answer == AnswerEnum::FAR || isSmallest)
+      {
+        const OutcomeEnum outcome = this->Sample(m_Wholes.GetIdentifier(i), group.isUniform, cover, points);
+        if (outcome == OutcomeEnum::INSERTED)
+        {
+          m_Nearby.Add(points.back());
+        }
+        if ((outcome == OutcomeEnum::INSERTED &&
+             m_Nearby.Ask(m_Wholes, i, delta, HopefulShare) == AnswerEnum::COVERED) ||
+            outcome == OutcomeEnum::EMPTY || (outcome == OutcomeEnum::TOO_NEAR && isSmallest))
         {
           continue;
         }
       }
-      if (outcome == OutcomeEnum::DONE)
-      {
-        continue;
-      }
+      m_Oracle.SplitSurfacePatch(m_Wholes.GetIdentifier(i), m_Parts);
     }
-    m_Oracle.SplitSurfacePatch(part, m_Stack);
   }
   return true;
 }
@@ -222,37 +245,39 @@ DelaunayRefinementSurfaceSample::Add(const PointType & point)
 bool
 DelaunayRefinementSurfaceSample::Certify(std::vector<PointType> & points, const std::function<bool()> & keepGoing)
 {
-  std::size_t                 numberOfVisits = 0;
-  const std::function<bool()> mayVisit = [&] { return ++numberOfVisits % VisitsBetweenQuestions != 0 || keepGoing(); };
-  std::vector<DelaunayRefinementPatchCover::EntryType> entries;
-  if (!this->CollectPatches(entries, mayVisit))
+  std::size_t        numberOfVisits = 0;
+  const MayVisitType mayVisit = [&](std::size_t numberOfPatches) {
+    const std::size_t before = numberOfVisits / VisitsBetweenQuestions;
+    numberOfVisits += numberOfPatches;
+    return numberOfVisits / VisitsBetweenQuestions == before || keepGoing();
+  };
+  const PatchesType            roots = m_Oracle.GetSurfacePatches();
+  DelaunayRefinementPatchCover cover(roots, m_LocalDelta.GetMaximum());
+  if (!this->CollectPatches(roots, cover, mayVisit))
   {
     return false;
   }
-  DelaunayRefinementPatchCover cover(std::move(entries));
   for (const PointType & vertex : m_Grid.GetPoints())
   {
     cover.CoverFrom(vertex);
   }
-  for (const std::uint32_t i : MakeRandomOrder(cover.GetNumberOfPatches()))
+  auto & marks = cover.GetMarks();
+  for (const std::uint32_t i : MakeRandomOrder(marks.GetPatches().GetSize()))
   {
-    if (!mayVisit())
+    if (!mayVisit(1))
     {
       return false;
     }
-    if (!cover.IsCovered(i))
+    if (!marks.IsCovered(i) && !marks.IsNear(i) &&
+        this->Sample(marks.GetPatches().GetIdentifier(i), m_LocalDelta.IsUniform(), cover, points) ==
+          OutcomeEnum::EMPTY)
     {
-      const auto & entry = cover.GetEntry(i);
-      if (this->Sample(entry.patch, entry.isUniform, cover, points) == OutcomeEnum::DONE)
-      {
-        cover.SetCovered(i);
-      }
+      marks.SetCovered(i);
     }
   }
-  for (std::size_t i = 0; i < cover.GetNumberOfPatches(); ++i)
+  for (const auto & group : cover.GetGroups())
   {
-    const auto & entry = cover.GetEntry(i);
-    if (!cover.IsCovered(i) && !this->CoverByParts(entry.patch, entry.isUniform, cover, points, mayVisit))
+    if (!this->CoverGroup(group, cover, points, mayVisit))
     {
       return false;
     }

@@ -19,6 +19,7 @@
 #define itkDelaunayRefinementSurfaceSample_h
 
 #include "itkDelaunayRefinementLocalDelta.h"
+#include "itkDelaunayRefinementNearbyPoints.h"
 #include "itkDelaunayRefinementPatchCover.h"
 #include "itkDelaunayRefinementPointGrid.h"
 
@@ -59,12 +60,16 @@ public:
   MayHaveSurfaceWithin(const PointType & point, double radius) const;
 
 private:
-  using PatchType = DelaunayRefinementOracle::SurfacePatch;
+  using PatchesType = DelaunayRefinementSurfacePatches;
+  using PatchType = PatchesType::PatchType;
+  using AnswerEnum = DelaunayRefinementNearbyPoints::AnswerEnum;
 
-  /** Splits the whole surface into patches that are small against delta. */
+  /** Asked before as many patches as it is told are visited. */
+  using MayVisitType = std::function<bool(std::size_t)>;
+
+  /** Splits the whole surface into patches that are small against delta; \c roots are the oracle's. */
   bool
-  CollectPatches(std::vector<DelaunayRefinementPatchCover::EntryType> & entries,
-                 const std::function<bool()> &                          mayVisit) const;
+  CollectPatches(const PatchesType & roots, DelaunayRefinementPatchCover & cover, const MayVisitType & mayVisit);
 
   /** Whether no component with a lower delta reaches into a patch. */
   bool
@@ -72,29 +77,28 @@ private:
 
   /** The least delta that holds in a patch. \c isUniform: of it or of one that it is a part of. */
   double
-  GetLeastDelta(const PatchType & patch, bool isUniform) const;
+  GetLeastDelta(const PatchesType & patches, std::size_t number, bool isUniform) const;
 
   enum class OutcomeEnum : uint8_t
   {
-    NOTHING,
+    TOO_NEAR,
     INSERTED,
-    DONE // the patch holds no surface, or is negligible
+    EMPTY // the patch holds no surface
   };
 
   /** Inserts a point of a patch, last in \c points, unless a vertex is too near. */
   OutcomeEnum
-  Sample(const PatchType &              patch,
-         bool                           isUniform,
-         DelaunayRefinementPatchCover & cover,
-         std::vector<PointType> &       points);
+  Sample(const PatchesType::IdentifierType & patch,
+         bool                                isUniform,
+         DelaunayRefinementPatchCover &      cover,
+         std::vector<PointType> &            points);
 
-  /** Covers all of one patch, by splitting it. */
+  /** Covers all patches of a group that are not yet, by splitting them again and again. */
   bool
-  CoverByParts(const PatchType &              patch,
-               bool                           isUniform,
-               DelaunayRefinementPatchCover & cover,
-               std::vector<PointType> &       points,
-               const std::function<bool()> &  mayVisit);
+  CoverGroup(const DelaunayRefinementPatchCover::GroupType & group,
+             DelaunayRefinementPatchCover &                  cover,
+             std::vector<PointType> &                        points,
+             const MayVisitType &                            mayVisit);
 
   static std::vector<std::uint32_t>
   MakeRandomOrder(std::size_t length);
@@ -103,8 +107,12 @@ private:
   const DelaunayRefinementLocalDelta & m_LocalDelta;
   bool                                 m_RoundToFloat;
   DelaunayRefinementPointGrid          m_Grid;
-  std::vector<PointType>               m_Nearby{};
-  std::vector<PatchType>               m_Stack{};
+
+  // Scratch of single calls.
+  PatchesType                    m_Wholes{};
+  PatchesType                    m_Parts{};
+  std::vector<PointType>         m_Found{};
+  DelaunayRefinementNearbyPoints m_Nearby{};
 };
 } // end namespace itk
 

@@ -108,11 +108,11 @@ public:
     return { Subtract(m_Center, offset), Add(m_Center, offset) };
   }
 
-  std::vector<SurfacePatch>
+  SurfacePatches
   GetSurfacePatches() const override
   {
-    constexpr std::int32_t    size = 1 << InitialLevel;
-    std::vector<SurfacePatch> patches;
+    constexpr std::int32_t size = 1 << InitialLevel;
+    SurfacePatches         patches(m_Center);
     for (std::int32_t z = 0; z < size; ++z)
     {
       for (std::int32_t y = 0; y < size; ++y)
@@ -127,7 +127,7 @@ public:
   }
 
   void
-  SplitSurfacePatch(const SurfacePatch & patch, std::vector<SurfacePatch> & parts) const override
+  SplitSurfacePatch(const SurfacePatchIdentifier & patch, SurfacePatches & parts) const override
   {
     for (std::int32_t child = 0; child < 8; ++child)
     {
@@ -140,9 +140,9 @@ public:
   }
 
   bool
-  FindPointOfPatch(const SurfacePatch & patch, PointType & point) const override
+  FindPointOfPatch(const SurfacePatchIdentifier & patch, PointType & point) const override
   {
-    point = this->ComputeClosestPoint(patch.center);
+    point = this->ComputeClosestPoint(this->GetBoxCenter(patch));
     return true;
   }
 
@@ -217,21 +217,30 @@ protected:
 private:
   static constexpr std::uint8_t InitialLevel = 4;
 
-  void
-  AppendPatch(const std::array<std::int32_t, 3> & index, std::uint8_t level, std::vector<SurfacePatch> & patches) const
+  PointType
+  GetBoxCenter(const SurfacePatchIdentifier & patch) const
   {
-    const double halfWidth = std::ldexp(m_HalfWidth, -level);
+    const double halfWidth = std::ldexp(m_HalfWidth, -patch.level);
     PointType    boxCenter;
     for (unsigned int i = 0; i < 3; ++i)
     {
-      boxCenter[i] = m_Center[i] - m_HalfWidth + (2 * index[i] + 1) * halfWidth;
+      boxCenter[i] = m_Center[i] - m_HalfWidth + (2 * patch.index[i] + 1) * halfWidth;
     }
-    const PointType corner{ halfWidth, halfWidth, halfWidth };
+    return boxCenter;
+  }
+
+  void
+  AppendPatch(const std::array<std::int32_t, 3> & index, std::uint8_t level, SurfacePatches & patches) const
+  {
+    const SurfacePatchIdentifier identifier{ index, level };
+    const PointType              boxCenter = this->GetBoxCenter(identifier);
+    const double                 halfWidth = std::ldexp(m_HalfWidth, -level);
+    const PointType              corner{ halfWidth, halfWidth, halfWidth };
     if (!this->MayIntersectBox({ Subtract(boxCenter, corner), Add(boxCenter, corner) }))
     {
       return;
     }
-    patches.push_back({ boxCenter, Norm(corner), corner, index, level });
+    patches.Add(boxCenter, corner, Norm(corner), identifier);
   }
 
   double m_HalfWidth;

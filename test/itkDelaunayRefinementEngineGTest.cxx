@@ -64,14 +64,14 @@ public:
     return false;
   }
 
-  std::vector<SurfacePatch>
+  SurfacePatches
   GetSurfacePatches() const override
   {
-    return {};
+    return SurfacePatches();
   }
 
   bool
-  FindPointOfPatch(const SurfacePatch &, PointType &) const override
+  FindPointOfPatch(const SurfacePatchIdentifier &, PointType &) const override
   {
     return false;
   }

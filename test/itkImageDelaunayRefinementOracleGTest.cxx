@@ -318,32 +318,32 @@ TEST(ImageDelaunayRefinementOracle, SurfaceInTheFacesOfPatchesIsInOneOfThem)
   {
     for (const PointType & point : points)
     {
-      EXPECT_TRUE(std::any_of(patches.begin(),
-                              patches.end(),
-                              [&point](const auto & patch) {
-                                constexpr double rounding = 1e-9;
-                                bool             isInBox = true;
-                                for (unsigned int i = 0; i < 3; ++i)
-                                {
-                                  isInBox =
-                                    isInBox && std::abs(point[i] - patch.center[i]) <= patch.halfExtents[i] + rounding;
-                                }
-                                return isInBox;
-                              }))
-        << "after splitting " << split << " times";
+      bool isInBox = false;
+      for (std::size_t number = 0; number < patches.GetSize() && !isInBox; ++number)
+      {
+        constexpr double rounding = 1e-9;
+        const auto       patch = patches.Get(number);
+        isInBox = true;
+        for (unsigned int i = 0; i < 3; ++i)
+        {
+          isInBox = isInBox && std::abs(point[i] - patch.center[i]) <= patch.halfExtents[i] + rounding;
+        }
+      }
+      EXPECT_TRUE(isInBox) << "after splitting " << split << " times";
     }
-    std::vector<OracleType::SurfacePatch> parts;
-    for (const auto & patch : patches)
+    OracleType::SurfacePatches parts(patches.GetOrigin());
+    for (std::size_t number = 0; number < patches.GetSize(); ++number)
     {
       // Those alone in which some point may be.
+      const auto patch = patches.Get(number);
       if (std::any_of(points.begin(), points.end(), [&patch](const PointType & point) {
             return Distance(point, patch.center) <= patch.radius + 1e-9;
           }))
       {
-        oracle.SplitSurfacePatch(patch, parts);
+        oracle.SplitSurfacePatch(patch.identifier, parts);
       }
     }
-    patches.swap(parts);
+    patches = std::move(parts);
   }
 }
 
@@ -355,7 +355,7 @@ TEST(ImageDelaunayRefinementOracle, EmptyObjectHasNoSurface)
   object.lower = 0.5;
   const OracleType oracle(image, object);
   EXPECT_EQ(oracle.GetNumberOfComponents(), 0u);
-  EXPECT_TRUE(oracle.GetSurfacePatches().empty());
+  EXPECT_EQ(oracle.GetSurfacePatches().GetSize(), 0u);
   EXPECT_EQ(oracle.Classify({ 0.0, 0.0, 0.0 }), 0u);
   PointType point;
   EXPECT_FALSE(oracle.FindClosestSurfacePoint({ 0.0, 0.0, 0.0 }, 100.0, point));

@@ -31,24 +31,26 @@ namespace itk::DelaunayRefinementTest
 inline std::vector<PointType>
 SampleSurface(const DelaunayRefinementOracle & oracle, double reach)
 {
-  std::vector<PointType>                              samples;
-  std::vector<DelaunayRefinementOracle::SurfacePatch> patches = oracle.GetSurfacePatches();
-  while (!patches.empty())
+  std::vector<PointType>                   samples;
+  DelaunayRefinementOracle::SurfacePatches patches = oracle.GetSurfacePatches();
+  while (patches.GetSize() > 0)
   {
-    const DelaunayRefinementOracle::SurfacePatch patch = patches.back();
-    patches.pop_back();
-    if (2.0 * patch.radius <= reach)
+    DelaunayRefinementOracle::SurfacePatches parts(patches.GetOrigin());
+    for (std::size_t i = 0; i < patches.GetSize(); ++i)
     {
+      const auto patch = patches.Get(i);
+      if (2.0 * patch.radius > reach)
+      {
+        oracle.SplitSurfacePatch(patch.identifier, parts);
+        continue;
+      }
       PointType point;
-      if (oracle.FindPointOfPatch(patch, point))
+      if (oracle.FindPointOfPatch(patch.identifier, point))
       {
         samples.push_back(point);
       }
     }
-    else
-    {
-      oracle.SplitSurfacePatch(patch, patches);
-    }
+    patches = std::move(parts);
   }
   return samples;
 }
@@ -248,36 +250,39 @@ ExpectPatchesCoverSurface(const DelaunayRefinementOracle & oracle,
                           const std::vector<PointType> &   surface,
                           double                           tolerance)
 {
-  std::vector<DelaunayRefinementOracle::SurfacePatch> patches = oracle.GetSurfacePatches();
-  ASSERT_FALSE(patches.empty());
+  using PatchType = DelaunayRefinementSurfacePatches::PatchType;
+  DelaunayRefinementOracle::SurfacePatches patches = oracle.GetSurfacePatches();
+  ASSERT_GT(patches.GetSize(), 0u);
   for (unsigned int split = 0; split < 3; ++split)
   {
     SCOPED_TRACE("after splitting " + std::to_string(split) + " times");
-    std::vector<DelaunayRefinementOracle::SurfacePatch> filled;
-    std::vector<BoxType>                                boxes;
-    std::vector<DelaunayRefinementOracle::SurfacePatch> parts;
-    std::size_t                                         numberOfStrayPoints = 0;
-    std::size_t                                         numberOfStrayParts = 0;
-    double                                              largestPatch = 0.0;
-    double                                              largestPart = 0.0;
-    for (const auto & patch : patches)
+    std::vector<PatchType>                   filled;
+    std::vector<BoxType>                     boxes;
+    DelaunayRefinementOracle::SurfacePatches parts(patches.GetOrigin());
+    std::size_t                              numberOfStrayPoints = 0;
+    std::size_t                              numberOfStrayParts = 0;
+    double                                   largestPatch = 0.0;
+    double                                   largestPart = 0.0;
+    for (std::size_t number = 0; number < patches.GetSize(); ++number)
     {
-      PointType point;
-      if (oracle.FindPointOfPatch(patch, point))
+      const PatchType patch = patches.Get(number);
+      PointType       point;
+      if (oracle.FindPointOfPatch(patch.identifier, point))
       {
         filled.push_back(patch);
         boxes.push_back({ Subtract(patch.center, patch.halfExtents), Add(patch.center, patch.halfExtents) });
         const bool isStray = Distance(point, patch.center) > patch.radius + tolerance;
         numberOfStrayPoints += isStray || !IsOnSurface(oracle, point, tolerance) ? 1 : 0;
       }
-      const std::size_t first = parts.size();
-      oracle.SplitSurfacePatch(patch, parts);
+      const std::size_t first = parts.GetSize();
+      oracle.SplitSurfacePatch(patch.identifier, parts);
       largestPatch = std::max(largestPatch, patch.radius);
-      for (std::size_t i = first; i < parts.size(); ++i)
+      for (std::size_t i = first; i < parts.GetSize(); ++i)
       {
-        const bool isStray = Distance(parts[i].center, patch.center) > patch.radius + tolerance;
-        numberOfStrayParts += isStray || parts[i].radius > patch.radius + tolerance ? 1 : 0;
-        largestPart = std::max(largestPart, parts[i].radius);
+        const PatchType part = parts.Get(i);
+        const bool      isStray = Distance(part.center, patch.center) > patch.radius + tolerance;
+        numberOfStrayParts += isStray || part.radius > patch.radius + tolerance ? 1 : 0;
+        largestPart = std::max(largestPart, part.radius);
       }
     }
     EXPECT_EQ(numberOfStrayPoints, 0u);
@@ -296,7 +301,7 @@ ExpectPatchesCoverSurface(const DelaunayRefinementOracle & oracle,
       numberOfUncoveredPoints += isCovered ? 0 : 1;
     }
     EXPECT_EQ(numberOfUncoveredPoints, 0u);
-    patches = parts;
+    patches = std::move(parts);
   }
 }
 

@@ -1,0 +1,262 @@
+/*=========================================================================
+ *
+ *  Copyright The DelaunayRefinement Contributors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkDelaunayRefinementSurfacePatches_h
+#define itkDelaunayRefinementSurfacePatches_h
+
+#include "itkDelaunayRefinementTypes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace itk
+{
+/** \class DelaunayRefinementSurfacePatches
+ * \brief Pieces of a surface, each with a box and a ball around it.
+ *
+ * There may be many, and they are compared many at once: boxes are kept in single precision, relative to an origin
+ * nearby, one array for each number. Rounding makes boxes larger, never smaller.
+ *
+ * \ingroup DelaunayRefinement
+ */
+class DelaunayRefinementSurfacePatches
+{
+public:
+  /** A point of physical space (mm). */
+  using PointType = DelaunayRefinementPoint;
+
+  /** By this the oracle knows a piece of the surface. */
+  struct IdentifierType
+  {
+    /** Which piece it is. */
+    std::array<std::int32_t, 3> index;
+    /** How often it was split. */
+    std::uint8_t level;
+  };
+
+  /** A piece of the surface. */
+  struct PatchType
+  {
+    /** The whole piece lies within \c radius of \c center, and in the box that extends by \c halfExtents from it (mm).
+     */
+    PointType center;
+    /** Of a ball around \c center (mm). */
+    double radius;
+    /** Of a box around \c center (mm). */
+    PointType halfExtents;
+    /** Which piece it is. */
+    IdentifierType identifier;
+  };
+
+  /** Without patches. The nearer they are to \c origin, the less is lost to rounding. */
+  explicit DelaunayRefinementSurfacePatches(const PointType & origin = PointType{})
+    : m_Origin(origin)
+  {}
+
+  /** Forgets all patches. */
+  void
+  Clear(const PointType & origin)
+  {
+    m_Origin = origin;
+    m_Size = 0;
+  }
+
+  /** Makes room for as many patches. */
+  void
+  Reserve(std::size_t numberOfPatches)
+  {
+    const std::size_t capacity = numberOfPatches + BlockSize + 1;
+    if (capacity <= m_Capacity)
+    {
+      return;
+    }
+    std::unique_ptr<float[]>          numbers(new float[NumbersPerPatch * capacity]);
+    std::unique_ptr<IdentifierType[]> identifiers(new IdentifierType[capacity]);
+    for (std::size_t i = 0; i < NumbersPerPatch; ++i)
+    {
+      std::copy_n(m_Numbers.get() + i * m_Capacity, m_Size, numbers.get() + i * capacity);
+    }
+    std::copy_n(m_Identifiers.get(), m_Size, identifiers.get());
+    m_Numbers.swap(numbers);
+    m_Identifiers.swap(identifiers);
+    m_Capacity = capacity;
+  }
+
+  /** The box and the ball of a patch, relative to a corner that many patches may share. */
+  struct ShapeType
+  {
+    std::array<float, 3> center;
+    std::array<float, 3> halfExtents;
+    float                radius;
+  };
+
+  static ShapeType
+  MakeShape(const PointType & center, const PointType & halfExtents, double radius)
+  {
+    ShapeType shape;
+    float     loss = 0.0f;
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      shape.center[i] = static_cast<float>(center[i]);
+      loss += Rounding * std::abs(shape.center[i]);
+    }
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      shape.halfExtents[i] = static_cast<float>(halfExtents[i]) * (1.0f + Rounding) + loss;
+    }
+    shape.radius = static_cast<float>(radius) * (1.0f + Rounding) + loss;
+    return shape;
+  }
+
+  /** From the origin to a corner. */
+  std::array<float, 3>
+  MakeCorner(const PointType & corner) const
+  {
+    return { static_cast<float>(corner[0] - m_Origin[0]),
+             static_cast<float>(corner[1] - m_Origin[1]),
+             static_cast<float>(corner[2] - m_Origin[2]) };
+  }
+
+  void
+  Add(const ShapeType & shape, const std::array<float, 3> & corner, const IdentifierType & identifier)
+  {
+    if (m_Size + BlockSize >= m_Capacity)
+    {
+      this->Grow();
+    }
+    float * const     numbers = m_Numbers.get() + m_Size;
+    const std::size_t capacity = m_Capacity;
+    const float       x = corner[0] + shape.center[0];
+    const float       y = corner[1] + shape.center[1];
+    const float       z = corner[2] + shape.center[2];
+    const float       lossX = Rounding * std::abs(x);
+    const float       lossY = Rounding * std::abs(y);
+    const float       lossZ = Rounding * std::abs(z);
+    numbers[0] = x;
+    numbers[capacity] = y;
+    numbers[2 * capacity] = z;
+    numbers[3 * capacity] = shape.halfExtents[0] + lossX;
+    numbers[4 * capacity] = shape.halfExtents[1] + lossY;
+    numbers[5 * capacity] = shape.halfExtents[2] + lossZ;
+    numbers[6 * capacity] = shape.radius + (lossX + lossY + lossZ);
+    m_Identifiers[m_Size] = identifier;
+    ++m_Size;
+  }
+
+  void
+  Add(const PointType & center, const PointType & halfExtents, double radius, const IdentifierType & identifier)
+  {
+    this->Add(MakeShape(PointType{}, halfExtents, radius), this->MakeCorner(center), identifier);
+  }
+
+  /** A patch of another list with the same origin. */
+  void
+  Add(const DelaunayRefinementSurfacePatches & other, std::size_t number)
+  {
+    if (m_Size + BlockSize >= m_Capacity)
+    {
+      this->Grow();
+    }
+    for (unsigned int i = 0; i < NumbersPerPatch; ++i)
+    {
+      m_Numbers[i * m_Capacity + m_Size] = other.m_Numbers[i * other.m_Capacity + number];
+    }
+    m_Identifiers[m_Size] = other.m_Identifiers[number];
+    ++m_Size;
+  }
+
+  std::size_t
+  GetSize() const
+  {
+    return m_Size;
+  }
+
+  const PointType &
+  GetOrigin() const
+  {
+    return m_Origin;
+  }
+
+  PatchType
+  Get(std::size_t number) const
+  {
+    PatchType patch;
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      patch.center[i] = m_Origin[i] + this->GetCenters(i)[number];
+      patch.halfExtents[i] = this->GetHalfExtents(i)[number];
+    }
+    patch.radius = this->GetRadii()[number];
+    patch.identifier = m_Identifiers[number];
+    return patch;
+  }
+
+  const IdentifierType &
+  GetIdentifier(std::size_t number) const
+  {
+    return m_Identifiers[number];
+  }
+
+  /** The arrays below are longer than there are patches, by this at least. */
+  static constexpr std::size_t BlockSize = 4;
+
+  /** Coordinate \c axis of all centers, from the origin (mm). */
+  const float *
+  GetCenters(unsigned int axis) const
+  {
+    return m_Numbers.get() + axis * m_Capacity;
+  }
+
+  /** Along \c axis, of all boxes (mm). */
+  const float *
+  GetHalfExtents(unsigned int axis) const
+  {
+    return m_Numbers.get() + (3 + axis) * m_Capacity;
+  }
+
+  /** Of all balls (mm). */
+  const float *
+  GetRadii() const
+  {
+    return m_Numbers.get() + 6 * m_Capacity;
+  }
+
+private:
+  static constexpr std::size_t NumbersPerPatch = 7;
+
+  /** More than is lost to any rounding here. */
+  static constexpr float Rounding = 8.0f * std::numeric_limits<float>::epsilon();
+
+  void
+  Grow()
+  {
+    constexpr std::size_t least = 64;
+    this->Reserve(m_Capacity == 0 ? least : 2 * m_Capacity);
+  }
+
+  PointType   m_Origin;
+  std::size_t m_Size{ 0 };
+  std::size_t m_Capacity{ 0 };
+
+  // Not vectors, which would write to all they have room for.
+  std::unique_ptr<float[]>          m_Numbers{};
+  std::unique_ptr<IdentifierType[]> m_Identifiers{};
+};
+} // end namespace itk
+
+#endif

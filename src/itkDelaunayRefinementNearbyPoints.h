@@ -1,0 +1,143 @@
+/*=========================================================================
+ *
+ *  Copyright The DelaunayRefinement Contributors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkDelaunayRefinementNearbyPoints_h
+#define itkDelaunayRefinementNearbyPoints_h
+
+#include "itkDelaunayRefinementSurfacePatches.h"
+
+namespace itk
+{
+/** \class DelaunayRefinementNearbyPoints
+ * \brief The points around some place, asked whether one of them covers a patch.
+ *
+ * They are kept in single precision, from the place; a little less is covered than could be.
+ *
+ * \ingroup DelaunayRefinement
+ */
+class DelaunayRefinementNearbyPoints
+{
+public:
+  using PointType = DelaunayRefinementPoint;
+  using PatchesType = DelaunayRefinementSurfacePatches;
+
+  enum class AnswerEnum : uint8_t
+  {
+    COVERED, // all of the patch is within delta of one of the points
+    NEAR,    // its center is within delta less a share of the patch's radius
+    FAR
+  };
+
+  /** Forgets all points. Patches are those with the origin \c origin; they and the points that matter lie within
+   * \c extent of it. */
+  void
+  Start(const PointType & origin, double extent)
+  {
+    m_Origin = origin;
+    m_Loss = Roundings * static_cast<float>(extent);
+    m_NumberOfPoints = 0;
+    m_Blocks.clear();
+  }
+
+  void
+  Add(const PointType & point)
+  {
+    const std::size_t place = m_NumberOfPoints % BlockSize;
+    if (place == 0)
+    {
+      m_Blocks.emplace_back();
+      for (auto & coordinates : m_Blocks.back())
+      {
+        // Nowhere near.
+        coordinates.fill(1e15f);
+      }
+    }
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      m_Blocks.back()[i][place] = static_cast<float>(point[i] - m_Origin[i]);
+    }
+    ++m_NumberOfPoints;
+  }
+
+  AnswerEnum
+  Ask(const PatchesType & patches, std::size_t number, double delta, double nearShare) const
+  {
+    const float x = patches.GetCenters(0)[number];
+    const float y = patches.GetCenters(1)[number];
+    const float z = patches.GetCenters(2)[number];
+    const float halfX = patches.GetHalfExtents(0)[number];
+    const float halfY = patches.GetHalfExtents(1)[number];
+    const float halfZ = patches.GetHalfExtents(2)[number];
+    const float radius = patches.GetRadii()[number];
+    const float less = (1.0f - Roundings) * static_cast<float>(delta) - m_Loss;
+    const float squaredDelta = Square(less);
+    const float squaredReach = Square(less - radius);
+    const float squaredNear = Square(less - static_cast<float>(nearShare) * radius);
+    bool        isNear = false;
+    for (const BlockType & block : m_Blocks)
+    {
+      std::int32_t covers = 0;
+      std::int32_t nears = 0;
+      // Compilers do several of a block at once; GCC 12 unless it writes out the loop before.
+#ifdef __GNUC__
+#  pragma GCC unroll 1
+#endif
+      for (std::size_t i = 0; i < BlockSize; ++i)
+      {
+        const float dx = std::abs(block[0][i] - x);
+        const float dy = std::abs(block[1][i] - y);
+        const float dz = std::abs(block[2][i] - z);
+        const float furthestX = dx + halfX;
+        const float furthestY = dy + halfY;
+        const float furthestZ = dz + halfZ;
+        const float squared = dx * dx + dy * dy + dz * dz;
+        const float squaredFurthest = furthestX * furthestX + furthestY * furthestY + furthestZ * furthestZ;
+        covers |= (squaredFurthest <= squaredDelta ? 1 : 0) | (squared <= squaredReach ? 1 : 0);
+        nears |= squared <= squaredNear ? 1 : 0;
+      }
+      if (covers != 0)
+      {
+        return AnswerEnum::COVERED;
+      }
+      isNear = isNear || nears != 0;
+    }
+    return isNear ? AnswerEnum::NEAR : AnswerEnum::FAR;
+  }
+
+private:
+  static constexpr std::size_t BlockSize = 8;
+
+  /** More than is lost to any rounding here. */
+  static constexpr float Roundings = 8.0f * std::numeric_limits<float>::epsilon();
+
+  /** The coordinates of some points. */
+  using BlockType = std::array<std::array<float, BlockSize>, 3>;
+
+  static float
+  Square(float length)
+  {
+    return length > 0.0f ? length * length : -1.0f;
+  }
+
+  PointType              m_Origin{};
+  float                  m_Loss{ 0.0f };
+  std::size_t            m_NumberOfPoints{ 0 };
+  std::vector<BlockType> m_Blocks{};
+};
+} // end namespace itk
+
+#endif
