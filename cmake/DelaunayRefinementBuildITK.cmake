@@ -47,7 +47,13 @@ endforeach()
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE _result)
   if(NOT _result EQUAL 0)
-    list(GET ARGN 0 1 _start)
+    list(
+      GET
+      ARGN
+      0
+      1
+      _start
+    )
     message(FATAL_ERROR "Failed with ${_result}: ${_start}")
   endif()
 endfunction()
@@ -103,7 +109,12 @@ if(ITK_MODULES)
   endif()
   string(REGEX MATCHALL "\nlib/lib[^\n]*\\.a:" _libraries "${_targets}")
   list(TRANSFORM _libraries STRIP)
-  list(TRANSFORM _libraries REPLACE ":$" "")
+  list(
+    TRANSFORM _libraries
+    REPLACE
+      ":$"
+      ""
+  )
   list(REMOVE_DUPLICATES _libraries)
   run(ninja -C ${ITK_BUILD_DIR} -j ${JOBS} ${_libraries})
 endif()
