@@ -135,8 +135,7 @@ TEST_P(ImageOracle, ClassifiesAsTheInterpolatorDoes)
     {
       point[i] = query[i];
     }
-    itk::ContinuousIndex<double, 3> index;
-    m_Image->TransformPhysicalPointToContinuousIndex(point, index);
+    const itk::ContinuousIndex<double, 3> index = m_Image->TransformPhysicalPointToContinuousIndex<double>(point);
     // Between the outermost centers and the border of the image, objects are closed in their own way.
     bool isBetweenCenters = true;
     for (unsigned int i = 0; i < 3; ++i)
