@@ -191,7 +191,7 @@ INSTANTIATE_TEST_SUITE_P(Images,
                                            OracleCase{ "LinearNoise", Content::NOISE, false, true },
                                            OracleCase{ "NearestMask", Content::MASK, true, true },
                                            OracleCase{ "NearestGrey", Content::GREY, true, false }),
-                         [](const auto & info) { return info.param.name; });
+                         [](const auto & test) { return test.param.name; });
 
 TEST(ImageDelaunayRefinementOracle, BorderClosesTheObject)
 {
