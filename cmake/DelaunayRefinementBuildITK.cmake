@@ -6,7 +6,7 @@
 #   cmake -D ITK_SOURCE_DIR=<ITK's source> -D ITK_BUILD_DIR=<new or existing>
 #     -P cmake/DelaunayRefinementBuildITK.cmake
 #
-# Optional: ITK_MODULES (more modules, their libraries are built as well),
+# Optional: ITK_MODULES (more modules), ITK_TARGETS (more targets to build),
 # ITK_CMAKE_ARGS (more arguments for ITK's configuration), JOBS, and
 # Python3_EXECUTABLE: a Python that has the packages swig and castxml.
 # FindPython3 knows the stable ABI from 3.26 on.
@@ -47,7 +47,13 @@ endforeach()
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE _result)
   if(NOT _result EQUAL 0)
-    list(GET ARGN 0 1 _start)
+    list(
+      GET
+      ARGN
+      0
+      1
+      _start
+    )
     message(FATAL_ERROR "Failed with ${_result}: ${_start}")
   endif()
 endfunction()
@@ -65,6 +71,7 @@ run(
   -DBUILD_TESTING=OFF
   -DBUILD_EXAMPLES=OFF
   -DITK_BUILD_DEFAULT_MODULES=OFF
+  -DITKGroup_Core=OFF
   -DITK_WRAP_PYTHON=ON
   -DITK_USE_PYTHON_LIMITED_API=ON
   -DITK_WRAP_IMAGE_DIMS=3
@@ -87,22 +94,5 @@ run(
   ITKMeshSwig
   ITKImageFunctionSwig
   ITKMesh
+  ${ITK_TARGETS}
 )
-
-if(ITK_MODULES)
-  # Every static library, none of the programs.
-  execute_process(
-    COMMAND
-      ninja -C ${ITK_BUILD_DIR} -t targets all
-    OUTPUT_VARIABLE _targets
-    RESULT_VARIABLE _result
-  )
-  if(NOT _result EQUAL 0)
-    message(FATAL_ERROR "ninja does not know its targets")
-  endif()
-  string(REGEX MATCHALL "\nlib/lib[^\n]*\\.a:" _libraries "${_targets}")
-  list(TRANSFORM _libraries STRIP)
-  list(TRANSFORM _libraries REPLACE ":$" "")
-  list(REMOVE_DUPLICATES _libraries)
-  run(ninja -C ${ITK_BUILD_DIR} -j ${JOBS} ${_libraries})
-endif()

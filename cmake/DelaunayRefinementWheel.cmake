@@ -25,7 +25,8 @@ if(NOT ITK_DIR)
       GIT_TAG v5.4.7
       GIT_SHALLOW ON
       # No CMakeLists.txt there: ITK is a build of its own.
-      SOURCE_SUBDIR none
+      SOURCE_SUBDIR
+      none
     )
     FetchContent_MakeAvailable(ITK)
     set(_itk_source "${itk_SOURCE_DIR}")

@@ -10,7 +10,7 @@
 itk_fetch_module(
   DelaunayRefinement
   "Turns a labelled 3D image into a tetrahedral mesh of guaranteed quality by
-   Delaunay refinement. Binaries fall under the GPL of CGAL's triangulations."
+   Delaunay refinement. Binaries hold CGAL's kernels, which are under the LGPL."
   MODULE_COMPLIANCE_LEVEL
   3
   GIT_REPOSITORY

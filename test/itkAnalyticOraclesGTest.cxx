@@ -101,7 +101,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Shape{ "TouchingBalls", std::make_shared<TwoBallsOracle>(shapeCenter, 6.0, 4.0, 0.0) },
                     Shape{ "SeparateBalls", std::make_shared<TwoBallsOracle>(shapeCenter, 4.0, 6.0, 3.0) },
                     Shape{ "Plate", std::make_shared<PlateOracle>(shapeCenter, PointType{ 10.0, 8.0, 2.0 }) }),
-  [](const auto & info) { return info.param.name; });
+  [](const auto & test) { return test.param.name; });
 
 TEST(AnalyticOracleComponents, AreCountedAndFound)
 {

@@ -183,7 +183,7 @@ INSTANTIATE_TEST_SUITE_P(
     SmoothCase{ "HollowBall", std::make_shared<HollowBallOracle>(origin, 5.0, 10.0), 1.5, 5.0, { 1, 2, 4 } },
     SmoothCase{ "HollowBallFine", std::make_shared<HollowBallOracle>(origin, 5.0, 10.0), 0.9, 5.0, { 1, 2, 4 } },
     SmoothCase{ "SeparateBalls", std::make_shared<TwoBallsOracle>(origin, 6.0, 4.0, 3.0), 1.2, 4.0, { 2, 2, 4 } }),
-  [](const auto & info) { return info.param.name; });
+  [](const auto & test) { return test.param.name; });
 
 TEST_P(HarshShapes, KeepValidityAndQuality)
 {
@@ -219,7 +219,7 @@ INSTANTIATE_TEST_SUITE_P(
     HarshCase{ "ThinPlate", std::make_shared<PlateOracle>(origin, PointType{ 6.0, 5.0, 0.5 }), 0.5 },
     HarshCase{ "ThinTorus", std::make_shared<TorusOracle>(origin, 10.0, 1.0), 1.2 },
     HarshCase{ "ThinShell", std::make_shared<HollowBallOracle>(origin, 9.0, 10.0), 1.5 }),
-  [](const auto & info) { return info.param.name; });
+  [](const auto & test) { return test.param.name; });
 
 TEST(DelaunayRefinementGuarantees, PlateThickerThanDeltaHasNoHoles)
 {

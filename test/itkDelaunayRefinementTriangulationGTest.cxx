@@ -302,7 +302,7 @@ INSTANTIATE_TEST_SUITE_P(Points,
                                          PointSet{ "Sphere", MakeSphere(1000, 0.0) },
                                          PointSet{ "SphereFarAway", MakeSphere(1000, 1e8) },
                                          PointSet{ "NearlyFlat", MakeNearlyFlat(600) }),
-                         [](const auto & info) { return info.param.name; });
+                         [](const auto & test) { return test.param.name; });
 
 TEST(DelaunayRefinementTriangulationStops, WhenItIsTold)
 {

@@ -135,8 +135,7 @@ TEST_P(ImageOracle, ClassifiesAsTheInterpolatorDoes)
     {
       point[i] = query[i];
     }
-    itk::ContinuousIndex<double, 3> index;
-    m_Image->TransformPhysicalPointToContinuousIndex(point, index);
+    const itk::ContinuousIndex<double, 3> index = m_Image->TransformPhysicalPointToContinuousIndex<double>(point);
     // Between the outermost centers and the border of the image, objects are closed in their own way.
     bool isBetweenCenters = true;
     for (unsigned int i = 0; i < 3; ++i)
@@ -192,7 +191,7 @@ INSTANTIATE_TEST_SUITE_P(Images,
                                            OracleCase{ "LinearNoise", Content::NOISE, false, true },
                                            OracleCase{ "NearestMask", Content::MASK, true, true },
                                            OracleCase{ "NearestGrey", Content::GREY, true, false }),
-                         [](const auto & info) { return info.param.name; });
+                         [](const auto & test) { return test.param.name; });
 
 TEST(ImageDelaunayRefinementOracle, BorderClosesTheObject)
 {

@@ -191,7 +191,7 @@ TEST_P(TetrahedraIn, MayHaveGapsInTheirNumbers)
 INSTANTIATE_TEST_SUITE_P(TetrahedralMeshWriter,
                          TetrahedraIn,
                          testing::Values("mesh.vtu", "mesh.vtk"),
-                         [](const auto & info) { return std::string(info.param).substr(5); });
+                         [](const auto & test) { return std::string(test.param).substr(5); });
 
 TEST(TetrahedralMeshWriter, KnowsExtensionsInCapitals)
 {
