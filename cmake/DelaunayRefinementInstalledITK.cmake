@@ -35,6 +35,14 @@ endif()
 enable_testing()
 set(DelaunayRefinement_IS_INSTALLABLE TRUE)
 delaunay_refinement_add_examples(ON)
+option(
+  DelaunayRefinement_BUILD_BENCHMARK
+  "Build the programs in benchmark/, which need all of CGAL"
+  OFF
+)
+if(DelaunayRefinement_BUILD_BENCHMARK)
+  add_subdirectory(benchmark)
+endif()
 if(BUILD_TESTING)
   add_subdirectory(test)
 endif()
