@@ -61,6 +61,11 @@ public:
   const DelaunayRefinementStatistics &
   GetStatistics() const;
 
+  /** After Run(): by RefinementRule, for how many cells of the final triangulation, or facets, the rule would still
+   * fire, all asked anew. All 0 if Run() returned COMPLETED; slow, for tests. */
+  std::array<std::size_t, DelaunayRefinementEnums::NumberOfRefinementRules>
+  CountFiringRules() const;
+
 private:
   class Impl;
   std::unique_ptr<Impl> m_Impl;

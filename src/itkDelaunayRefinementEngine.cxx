@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkDelaunayRefinementEngine.h"
 
+#include "itkDelaunayRefinementAudit.h"
 #include "itkDelaunayRefinementComplex.h"
 #include "itkDelaunayRefinementEncroachment.h"
 #include "itkDelaunayRefinementExtraction.h"
@@ -83,6 +84,16 @@ public:
   GetStatistics() const
   {
     return m_Statistics;
+  }
+
+  std::array<std::size_t, DelaunayRefinementEnums::NumberOfRefinementRules>
+  CountFiringRules() const
+  {
+    if (m_Complex == nullptr)
+    {
+      return {};
+    }
+    return CountFiringDelaunayRefinementRules(m_Oracle, m_LocalDelta, *m_Sample, *m_Complex, *m_Rules);
   }
 
 private:
@@ -678,5 +689,11 @@ const DelaunayRefinementStatistics &
 DelaunayRefinementEngine::GetStatistics() const
 {
   return m_Impl->GetStatistics();
+}
+
+std::array<std::size_t, DelaunayRefinementEnums::NumberOfRefinementRules>
+DelaunayRefinementEngine::CountFiringRules() const
+{
+  return m_Impl->CountFiringRules();
 }
 } // end namespace itk

@@ -55,6 +55,12 @@ public:
   bool
   Certify(std::vector<PointType> & points, const std::function<bool()> & keepGoing);
 
+  bool
+  HasVertexWithin(const PointType & point, double radius) const
+  {
+    return m_Grid.HasPointWithin(point, radius);
+  }
+
   /** Cheap: false only if no surface point lies within \c radius of a point, as it would be covered. */
   bool
   MayHaveSurfaceWithin(const PointType & point, double radius) const;

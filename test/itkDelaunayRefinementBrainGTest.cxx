@@ -15,7 +15,9 @@
  *  limitations under the License.
  *
  *=========================================================================*/
+#include "itkDelaunayRefinementEngine.h"
 #include "itkDelaunayRefinementMeshFilter.h"
+#include "itkImageDelaunayRefinementOracle.h"
 
 #include "itkFilterRun.h"
 
@@ -95,4 +97,26 @@ TEST_F(DelaunayRefinementBrain, MeshWithoutSlivers)
   const double mended = ComputeDihedralAngles(MeshAt(6.0, 10.0)).minimum;
   EXPECT_LT(plain, 5.0);
   EXPECT_GT(mended, plain);
+}
+
+TEST_F(DelaunayRefinementBrain, NoRuleFiresAnyMore)
+{
+  using OracleType = itk::ImageDelaunayRefinementOracle<ShortImageType>;
+  itk::DelaunayRefinementObject<short> object;
+  object.lower = 1.0;
+  object.definition = itk::DelaunayRefinementObject<short>::DefinitionEnum::THRESHOLD;
+  object.largestComponentOnly = true;
+  const OracleType oracle(m_Image, object);
+  for (const bool refineOutside : { false, true })
+  {
+    itk::DelaunayRefinementParameters parameters;
+    parameters.delta = 6.0;
+    parameters.refineOutside = refineOutside;
+    itk::DelaunayRefinementEngine engine(oracle, parameters);
+    ASSERT_EQ(engine.Run(), itk::DelaunayRefinementEnums::TerminationReason::COMPLETED);
+    for (const std::size_t number : engine.CountFiringRules())
+    {
+      EXPECT_EQ(number, 0u);
+    }
+  }
 }

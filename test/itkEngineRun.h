@@ -38,6 +38,9 @@ struct EngineRun
   DelaunayRefinementResult     result;
   DelaunayRefinementStatistics statistics;
 
+  /** By RefinementRule; of the final triangulation. */
+  std::array<std::size_t, DelaunayRefinementEnums::NumberOfRefinementRules> numbersOfFiringRules;
+
   std::size_t
   GetInsertions(RefinementRule rule) const
   {
@@ -59,15 +62,20 @@ RunEngine(const DelaunayRefinementOracle & oracle, const DelaunayRefinementParam
   run.reason = engine.Run();
   run.result = engine.TakeResult();
   run.statistics = engine.GetStatistics();
+  run.numbersOfFiringRules = engine.CountFiringRules();
   EXPECT_EQ(run.statistics.terminationReason, run.reason);
   return run;
 }
 
-/** Stops the test's function if the run does not end with a mesh. */
+/** Stops the test's function if the run does not end with a mesh. No rule may fire any more. */
 inline void
 ExpectCompleted(const EngineRun & run)
 {
   ASSERT_EQ(run.reason, TerminationReason::COMPLETED);
+  for (std::size_t rule = 0; rule < run.numbersOfFiringRules.size(); ++rule)
+  {
+    EXPECT_EQ(run.numbersOfFiringRules[rule], 0u) << static_cast<RefinementRule>(rule);
+  }
   ASSERT_FALSE(run.result.tetrahedra.empty());
   EXPECT_EQ(run.result.pointKinds.size(), run.result.points.size());
   EXPECT_EQ(run.result.regions.size(), run.result.tetrahedra.size());
