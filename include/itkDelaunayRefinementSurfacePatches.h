@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 namespace itk
 {
@@ -30,7 +31,8 @@ namespace itk
  * \brief Pieces of a surface, each with a box and a ball around it.
  *
  * There may be many, and they are compared many at once: boxes are kept in single precision, relative to an origin
- * nearby, one array for each number. Rounding makes boxes larger, never smaller.
+ * nearby, one array for each number. In the arrays centers are off by as much as rounding of their distance from the
+ * origin makes them, GetRounding(); Get() gives boxes and balls that are larger by that.
  *
  * \ingroup DelaunayRefinement
  */
@@ -67,6 +69,23 @@ public:
   explicit DelaunayRefinementSurfacePatches(const PointType & origin = PointType{})
     : m_Origin(origin)
   {}
+
+  DelaunayRefinementSurfacePatches(DelaunayRefinementSurfacePatches && other) noexcept
+    : DelaunayRefinementSurfacePatches(other.m_Origin)
+  {
+    *this = std::move(other);
+  }
+
+  DelaunayRefinementSurfacePatches &
+  operator=(DelaunayRefinementSurfacePatches && other) noexcept
+  {
+    std::swap(m_Origin, other.m_Origin);
+    std::swap(m_Size, other.m_Size);
+    std::swap(m_Capacity, other.m_Capacity);
+    std::swap(m_Numbers, other.m_Numbers);
+    std::swap(m_Identifiers, other.m_Identifiers);
+    return *this;
+  }
 
   /** Forgets all patches. */
   void
@@ -141,19 +160,12 @@ public:
     }
     float * const     numbers = m_Numbers.get() + m_Size;
     const std::size_t capacity = m_Capacity;
-    const float       x = corner[0] + shape.center[0];
-    const float       y = corner[1] + shape.center[1];
-    const float       z = corner[2] + shape.center[2];
-    const float       lossX = Rounding * std::abs(x);
-    const float       lossY = Rounding * std::abs(y);
-    const float       lossZ = Rounding * std::abs(z);
-    numbers[0] = x;
-    numbers[capacity] = y;
-    numbers[2 * capacity] = z;
-    numbers[3 * capacity] = shape.halfExtents[0] + lossX;
-    numbers[4 * capacity] = shape.halfExtents[1] + lossY;
-    numbers[5 * capacity] = shape.halfExtents[2] + lossZ;
-    numbers[6 * capacity] = shape.radius + (lossX + lossY + lossZ);
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      numbers[i * capacity] = corner[i] + shape.center[i];
+      numbers[(3 + i) * capacity] = shape.halfExtents[i];
+    }
+    numbers[6 * capacity] = shape.radius;
     m_Identifiers[m_Size] = identifier;
     ++m_Size;
   }
@@ -186,6 +198,13 @@ public:
     return m_Size;
   }
 
+  /** A bound on what rounding does to centers, and to distances from them, within a distance of the origin. */
+  static double
+  GetRounding(double distance)
+  {
+    return Rounding * distance;
+  }
+
   const PointType &
   GetOrigin() const
   {
@@ -196,12 +215,18 @@ public:
   Get(std::size_t number) const
   {
     PatchType patch;
+    double    distance = 0.0;
     for (unsigned int i = 0; i < 3; ++i)
     {
       patch.center[i] = m_Origin[i] + this->GetCenters(i)[number];
-      patch.halfExtents[i] = this->GetHalfExtents(i)[number];
+      distance += std::abs(this->GetCenters(i)[number]);
     }
-    patch.radius = this->GetRadii()[number];
+    const double loss = GetRounding(distance + this->GetRadii()[number]);
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      patch.halfExtents[i] = this->GetHalfExtents(i)[number] + loss;
+    }
+    patch.radius = this->GetRadii()[number] + loss;
     patch.identifier = m_Identifiers[number];
     return patch;
   }

@@ -72,7 +72,7 @@ void
 DelaunayRefinementBricks::UpdateBounds()
 {
   constexpr std::int32_t largest = std::numeric_limits<std::int32_t>::max();
-  m_FirstCell = { largest, largest, largest };
+  m_FirstCell = m_ActiveBricks.empty() ? IndexType{} : IndexType{ largest, largest, largest };
   m_LastCell = { -1, -1, -1 };
   for (const IndexType & brick : m_ActiveBricks)
   {

@@ -284,41 +284,48 @@ bool
 DelaunayRefinementLatticeOracle::FindPointOfPatch(const SurfacePatchIdentifier & patch, PointType & point) const
 {
   const PointType random = Scatter(patch.index, patch.level);
-  PlaceType       place{ {}, {}, 1.0 };
-  if (patch.level < CellLevel)
-  {
-    // Some cell of those with surface.
-    const IndexType brick{ patch.index[0] >> patch.level,
-                           patch.index[1] >> patch.level,
-                           patch.index[2] >> patch.level };
-    std::uint64_t   cells = m_Bricks->GetCells(brick);
-    if (patch.level > 0)
+  const auto      findIn = [&](const PlaceType & place) {
+    const PointType start{ place.corner[0] + random[0] * place.size,
+                           place.corner[1] + random[1] * place.size,
+                           place.corner[2] + random[2] * place.size };
+    PointType       found;
+    if (!this->VisitCell(place.cell, [&](const auto & content) {
+          return FindSurfacePointInCube(content, place.corner, place.size, start, found);
+        }))
     {
-      cells &= Eighths[(patch.index[0] & 1) | (patch.index[1] & 1) << 1 | (patch.index[2] & 1) << 2];
+      return false;
     }
-    for (auto skipped = static_cast<unsigned int>(random[0] * CountDelaunayRefinementBits(cells)); skipped > 0;
-         --skipped)
+    point = this->ToPhysical(Geometry::AddScaled(ToPoint(place.cell, 1.0), 1.0, found));
+    return true;
+  };
+  if (patch.level >= CellLevel)
+  {
+    return findIn(ToPlace(patch));
+  }
+
+  // Some cell of those with surface; the others if a field has none there.
+  const IndexType brick{ patch.index[0] >> patch.level, patch.index[1] >> patch.level, patch.index[2] >> patch.level };
+  std::uint64_t   cells = m_Bricks->GetCells(brick);
+  if (patch.level > 0)
+  {
+    cells &= Eighths[(patch.index[0] & 1) | (patch.index[1] & 1) << 1 | (patch.index[2] & 1) << 2];
+  }
+  std::uint64_t after = cells;
+  for (auto skipped = static_cast<unsigned int>(random[0] * CountDelaunayRefinementBits(cells)); skipped > 0; --skipped)
+  {
+    after &= after - 1;
+  }
+  while (cells != 0)
+  {
+    const auto chosen = static_cast<std::int32_t>(FindDelaunayRefinementBit(after != 0 ? after : cells));
+    if (findIn(
+          { { 4 * brick[0] + (chosen & 3), 4 * brick[1] + (chosen >> 2 & 3), 4 * brick[2] + (chosen >> 4) }, {}, 1.0 }))
     {
-      cells &= cells - 1;
+      return true;
     }
-    const auto chosen = static_cast<std::int32_t>(FindDelaunayRefinementBit(cells));
-    place.cell = { 4 * brick[0] + (chosen & 3), 4 * brick[1] + (chosen >> 2 & 3), 4 * brick[2] + (chosen >> 4) };
+    cells &= ~(std::uint64_t{ 1 } << chosen);
+    after &= cells;
   }
-  else
-  {
-    place = ToPlace(patch);
-  }
-  const PointType start{ place.corner[0] + random[0] * place.size,
-                         place.corner[1] + random[1] * place.size,
-                         place.corner[2] + random[2] * place.size };
-  PointType       found;
-  if (!this->VisitCell(place.cell, [&](const auto & content) {
-        return FindSurfacePointInCube(content, place.corner, place.size, start, found);
-      }))
-  {
-    return false;
-  }
-  point = this->ToPhysical(PointType{ found[0] + place.cell[0], found[1] + place.cell[1], found[2] + place.cell[2] });
-  return true;
+  return false;
 }
 } // end namespace itk

@@ -42,13 +42,12 @@ public:
     FAR
   };
 
-  /** Forgets all points. Patches are those with the origin \c origin; they and the points that matter lie within
-   * \c extent of it. */
+  /** Forgets all points. Patches are those with the origin \c origin, and lie within \c extent of it. */
   void
   Start(const PointType & origin, double extent)
   {
     m_Origin = origin;
-    m_Loss = Roundings * static_cast<float>(extent);
+    m_Extent = extent;
     m_NumberOfPoints = 0;
     m_Blocks.clear();
   }
@@ -63,7 +62,7 @@ public:
       for (auto & coordinates : m_Blocks.back())
       {
         // Nowhere near.
-        coordinates.fill(1e15f);
+        coordinates.fill(std::numeric_limits<float>::infinity());
       }
     }
     for (unsigned int i = 0; i < 3; ++i)
@@ -83,7 +82,8 @@ public:
     const float halfY = patches.GetHalfExtents(1)[number];
     const float halfZ = patches.GetHalfExtents(2)[number];
     const float radius = patches.GetRadii()[number];
-    const float less = (1.0f - Roundings) * static_cast<float>(delta) - m_Loss;
+    // Points that cover are within delta of the patch; what rounding does to others is little against their distance.
+    const auto  less = static_cast<float>((1.0 - Roundings) * delta - PatchesType::GetRounding(m_Extent + delta));
     const float squaredDelta = Square(less);
     const float squaredReach = Square(less - radius);
     const float squaredNear = Square(less - static_cast<float>(nearShare) * radius);
@@ -122,7 +122,7 @@ private:
   static constexpr std::size_t BlockSize = 8;
 
   /** More than is lost to any rounding here. */
-  static constexpr float Roundings = 8.0f * std::numeric_limits<float>::epsilon();
+  static constexpr double Roundings = 8.0 * std::numeric_limits<float>::epsilon();
 
   /** The coordinates of some points. */
   using BlockType = std::array<std::array<float, BlockSize>, 3>;
@@ -134,7 +134,7 @@ private:
   }
 
   PointType              m_Origin{};
-  float                  m_Loss{ 0.0f };
+  double                 m_Extent{ 0.0 };
   std::size_t            m_NumberOfPoints{ 0 };
   std::vector<BlockType> m_Blocks{};
 };

@@ -36,6 +36,12 @@ constexpr double CubeSize = 2.0;
 /** Patches smaller than this share of delta are judged by their point alone. */
 constexpr double SmallestPatch = 1e-5;
 
+/** So are those of this level, before their indexes overflow. */
+constexpr unsigned int DeepestLevel = 22;
+
+/** More vertices around a group make it worth looking for those around each patch. */
+constexpr std::size_t MostNearbyPoints = 64;
+
 constexpr std::size_t VisitsBetweenQuestions = 16384;
 
 /** Patches no larger than this share of delta are sampled in a random order, which keeps the sample sparse. */
@@ -124,7 +130,7 @@ DelaunayRefinementSurfaceSample::CollectPatches(const PatchesType &            r
       for (std::size_t i = 0; i < wholes.GetSize(); ++i)
       {
         const double delta = this->GetLeastDelta(wholes, i, isUniform);
-        if (wholes.GetRadii()[i] > SampledPatch * delta)
+        if (wholes.GetRadii()[i] > SampledPatch * delta && wholes.GetIdentifier(i).level < DeepestLevel)
         {
           m_Oracle.SplitSurfacePatch(wholes.GetIdentifier(i), m_Parts);
         }
@@ -168,6 +174,13 @@ DelaunayRefinementSurfaceSample::Sample(const PatchesType::IdentifierType & patc
   return OutcomeEnum::INSERTED;
 }
 
+void
+DelaunayRefinementSurfaceSample::FindNearby(const PointType & center, const PointType & halfExtents)
+{
+  m_Found.clear();
+  m_Grid.FindWithinOfBox(center, halfExtents, m_LocalDelta.GetMaximum(), m_Found);
+}
+
 bool
 DelaunayRefinementSurfaceSample::CoverGroup(const DelaunayRefinementPatchCover::GroupType & group,
                                             DelaunayRefinementPatchCover &                  cover,
@@ -175,6 +188,45 @@ DelaunayRefinementSurfaceSample::CoverGroup(const DelaunayRefinementPatchCover::
                                             const MayVisitType &                            mayVisit)
 {
   const DelaunayRefinementPatchMarks & marks = cover.GetMarks();
+  std::uint32_t                        begin = group.begin;
+  while (begin < group.end && marks.IsCovered(begin))
+  {
+    ++begin;
+  }
+  if (begin == group.end)
+  {
+    return true;
+  }
+  this->FindNearby(group.center, group.halfExtents);
+  if (m_Found.size() <= MostNearbyPoints)
+  {
+    return this->CoverPatches(group, cover, points, mayVisit);
+  }
+  // Delta is small against the group: one patch at a time has fewer around it.
+  for (std::uint32_t i = begin; i < group.end; ++i)
+  {
+    if (!marks.IsCovered(i))
+    {
+      const PatchType patch = marks.GetPatches().Get(i);
+      this->FindNearby(patch.center, patch.halfExtents);
+      if (!this->CoverPatches({ patch.center, patch.halfExtents, i, i + 1, group.isUniform }, cover, points, mayVisit))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+bool
+DelaunayRefinementSurfaceSample::CoverPatches(const DelaunayRefinementPatchCover::GroupType & group,
+                                              DelaunayRefinementPatchCover &                  cover,
+                                              std::vector<PointType> &                        points,
+                                              const MayVisitType &                            mayVisit)
+{
+  const DelaunayRefinementPatchMarks & marks = cover.GetMarks();
+  m_Nearby.Start(group.center, std::sqrt(Geometry::Dot(group.halfExtents, group.halfExtents)));
+  std::for_each(m_Found.begin(), m_Found.end(), [this](const PointType & vertex) { m_Nearby.Add(vertex); });
   m_Parts.Clear(group.center);
   for (std::size_t i = group.begin; i < group.end; ++i)
   {
@@ -183,15 +235,6 @@ DelaunayRefinementSurfaceSample::CoverGroup(const DelaunayRefinementPatchCover::
       m_Oracle.SplitSurfacePatch(marks.GetPatches().GetIdentifier(i), m_Parts);
     }
   }
-  if (m_Parts.GetSize() == 0)
-  {
-    return true;
-  }
-  const double greatest = m_LocalDelta.GetMaximum();
-  m_Found.clear();
-  m_Grid.FindWithinOfBox(group.center, group.halfExtents, greatest, m_Found);
-  m_Nearby.Start(group.center, greatest + std::sqrt(Geometry::Dot(group.halfExtents, group.halfExtents)));
-  std::for_each(m_Found.begin(), m_Found.end(), [this](const PointType & vertex) { m_Nearby.Add(vertex); });
   while (m_Parts.GetSize() > 0)
   {
     std::swap(m_Wholes, m_Parts);
@@ -209,7 +252,8 @@ DelaunayRefinementSurfaceSample::CoverGroup(const DelaunayRefinementPatchCover::
         continue;
       }
       // Points of a patch whose center is well covered are likely to be too near.
-      const bool isSmallest = m_Wholes.GetRadii()[i] < SmallestPatch * delta;
+      const bool isSmallest =
+        m_Wholes.GetRadii()[i] < SmallestPatch * delta || m_Wholes.GetIdentifier(i).level >= DeepestLevel;
       if (answer == AnswerEnum::FAR || isSmallest)
       {
         const OutcomeEnum outcome = this->Sample(m_Wholes.GetIdentifier(i), group.isUniform, cover, points);

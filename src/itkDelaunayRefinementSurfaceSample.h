@@ -106,6 +106,17 @@ private:
              std::vector<PointType> &                        points,
              const MayVisitType &                            mayVisit);
 
+  /** The same for some patches of a group, within a box. */
+  bool
+  CoverPatches(const DelaunayRefinementPatchCover::GroupType & patches,
+               DelaunayRefinementPatchCover &                  cover,
+               std::vector<PointType> &                        points,
+               const MayVisitType &                            mayVisit);
+
+  /** The feature vertices that may cover what lies in a box. */
+  void
+  FindNearby(const PointType & center, const PointType & halfExtents);
+
   static std::vector<std::uint32_t>
   MakeRandomOrder(std::size_t length);
 

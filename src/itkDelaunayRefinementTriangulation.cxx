@@ -75,6 +75,21 @@ struct BallsType
   /** Negative where they decide nothing. */
   NumbersType signedSquaredRadius;
 
+  BallsType()
+  {
+    for (std::size_t i = 0; i < Size; ++i)
+    {
+      this->SetAny(i);
+    }
+  }
+
+  /** Something to compute with where there is no cell. */
+  void
+  SetAny(std::size_t i)
+  {
+    this->SetPoints(i, {}, { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 });
+  }
+
   void
   SetPoints(std::size_t i, const PointType & origin, const PointType & a, const PointType & b, const PointType & c)
   {
@@ -387,29 +402,26 @@ DelaunayRefinementTriangulation::AddBoundary(IndexType cell, unsigned int slot)
 void
 DelaunayRefinementTriangulation::FindCavity(const PointType & point, IndexType start)
 {
-  m_CellMarks.resize(m_Cells.size(), 0);
-  m_Mark += 2;
-  const std::uint32_t in = m_Mark;
-  const std::uint32_t out = m_Mark + 1;
+  m_CellMarks.resize(m_Cells.size(), MarkEnum::NONE);
   m_Cavity.assign(1, start);
   m_Boundary.clear();
-  m_CellMarks[start] = in;
+  m_CellMarks[start] = MarkEnum::IN;
   for (std::size_t i = 0; i < m_Cavity.size(); ++i)
   {
     const IndexType cell = m_Cavity[i];
     for (unsigned int slot = 0; slot < 4; ++slot)
     {
       const IndexType neighbor = m_Cells[cell].neighbors[slot];
-      std::uint32_t & mark = m_CellMarks[neighbor];
-      if (mark == in)
+      MarkEnum &      mark = m_CellMarks[neighbor];
+      if (mark == MarkEnum::IN)
       {
         continue;
       }
-      if (mark != out)
+      if (mark == MarkEnum::NONE)
       {
         if (this->IsInConflict(neighbor, point))
         {
-          mark = in;
+          mark = MarkEnum::IN;
           m_Cavity.push_back(neighbor);
           for (const IndexType next : m_Cells[neighbor].neighbors)
           {
@@ -417,10 +429,24 @@ DelaunayRefinementTriangulation::FindCavity(const PointType & point, IndexType s
           }
           continue;
         }
-        mark = out;
+        mark = MarkEnum::OUT;
       }
       this->AddBoundary(cell, slot);
     }
+  }
+  this->ClearMarks();
+}
+
+void
+DelaunayRefinementTriangulation::ClearMarks()
+{
+  for (const IndexType cell : m_Cavity)
+  {
+    m_CellMarks[cell] = MarkEnum::NONE;
+  }
+  for (const BoundaryType & facet : m_Boundary)
+  {
+    m_CellMarks[facet.beyond] = MarkEnum::NONE;
   }
 }
 
@@ -539,11 +565,10 @@ DelaunayRefinementTriangulation::LinkLargeStar()
 void
 DelaunayRefinementTriangulation::FindStar(IndexType vertex)
 {
-  m_CellMarks.resize(m_Cells.size(), 0);
-  m_Mark += 2;
+  m_CellMarks.resize(m_Cells.size(), MarkEnum::NONE);
   m_Boundary.clear();
   m_Cavity.assign(1, m_CellOfVertex[vertex]);
-  m_CellMarks[m_Cavity.front()] = m_Mark;
+  m_CellMarks[m_Cavity.front()] = MarkEnum::IN;
   for (std::size_t i = 0; i < m_Cavity.size(); ++i)
   {
     const IndexType cell = m_Cavity[i];
@@ -554,13 +579,14 @@ DelaunayRefinementTriangulation::FindStar(IndexType vertex)
       {
         this->AddBoundary(cell, slot);
       }
-      else if (m_CellMarks[neighbor] != m_Mark)
+      else if (m_CellMarks[neighbor] != MarkEnum::IN)
       {
-        m_CellMarks[neighbor] = m_Mark;
+        m_CellMarks[neighbor] = MarkEnum::IN;
         m_Cavity.push_back(neighbor);
       }
     }
   }
+  this->ClearMarks();
 }
 
 DelaunayRefinementTriangulation::OrientedFacetType
@@ -713,7 +739,7 @@ void
 DelaunayRefinementTriangulation::ComputeBallsOfStar(IndexType vertex)
 {
   const PointType & origin = m_Points[vertex];
-  BallsType         balls{};
+  BallsType         balls;
   for (std::size_t first = 0; first < m_NewCells.size(); first += BallsType::Size)
   {
     const std::size_t size = std::min(BallsType::Size, m_NewCells.size() - first);
@@ -721,6 +747,11 @@ DelaunayRefinementTriangulation::ComputeBallsOfStar(IndexType vertex)
     {
       const BoundaryType & facet = m_Boundary[first + i];
       const auto &         slots = FacetVertices[facet.slot];
+      if (this->IsInfinite(m_NewCells[first + i]))
+      {
+        balls.SetAny(i);
+        continue;
+      }
       balls.SetPoints(i,
                       origin,
                       m_Points[facet.vertices[slots[0]]],
@@ -751,7 +782,7 @@ DelaunayRefinementTriangulation::ComputeBall(IndexType index)
   if (!this->IsInfinite(index))
   {
     const PointType & origin = m_Points[cell.vertices[0]];
-    BallsType         balls{};
+    BallsType         balls;
     balls.SetPoints(0, origin, m_Points[cell.vertices[1]], m_Points[cell.vertices[2]], m_Points[cell.vertices[3]]);
     balls.Compute(origin);
     cell.center = balls.GetCenter(0, origin);

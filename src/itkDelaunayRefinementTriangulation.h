@@ -156,6 +156,14 @@ private:
     std::uint8_t             mirror;
   };
 
+  /** Of cells that the search for a cavity has seen. */
+  enum class MarkEnum : uint8_t
+  {
+    NONE,
+    IN,
+    OUT
+  };
+
   /** Two cells of a star meet in an edge of the cavity's boundary. */
   struct SharedEdgeType
   {
@@ -217,6 +225,9 @@ private:
   FindCavity(const PointType & point, IndexType start);
 
   void
+  ClearMarks();
+
+  void
   LinkStar();
   void
   LinkLargeStar();
@@ -273,8 +284,7 @@ private:
   // Scratch of single calls.
   std::vector<IndexType>                    m_Cavity{};
   std::vector<BoundaryType>                 m_Boundary{};
-  std::vector<std::uint32_t>                m_CellMarks{};
-  std::uint32_t                             m_Mark{ 0 };
+  std::vector<MarkEnum>                     m_CellMarks{}; // NONE between calls
   std::vector<std::uint64_t>                m_VertexPlaces{};
   std::uint32_t                             m_NumberOfStars{ 0 };
   std::vector<IndexType>                    m_Matrix{};

@@ -16,7 +16,9 @@
  *
  *=========================================================================*/
 
+#include "itkDelaunayRefinementEngine.h"
 #include "itkDelaunayRefinementMeshFilter.h"
+#include "itkImageDelaunayRefinementOracle.h"
 
 #include "itkFilterRun.h"
 #include "itkOracleChecks.h"
@@ -233,6 +235,36 @@ TEST(DelaunayRefinementMeshFilterShapes, FarFromTheOrigin)
     ExpectMeshOfShape<FloatMeshType>(geometry, TorusOracle(center, 7.0, 3.0), 0.9, 0.25);
     ExpectMeshOfShape<DoubleMeshType>(geometry, TorusOracle(center, 7.0, 3.0), 0.9, 0.25);
   }
+}
+
+TEST(DelaunayRefinementMeshFilterShapes, DeltaIsTinyAgainstTheImage)
+{
+  // Single precision, in which patches are compared, does not tell places apart here that are delta apart.
+  ImageGeometry geometry;
+  geometry.size = { { 50000, 4, 4 } };
+  const auto image = MakeImage<unsigned char>(geometry, [](const PointType & point) {
+    const bool isNearAnEnd = (point[0] > 0.5 && point[0] < 2.5) || (point[0] > 49996.5 && point[0] < 49998.5);
+    return isNearAnEnd && std::max(std::abs(point[1] - 1.5), std::abs(point[2] - 1.5)) < 1.0 ? 1 : 0;
+  });
+  const itk::ImageDelaunayRefinementOracle<itk::Image<unsigned char, 3>> oracle(image, {});
+  itk::DelaunayRefinementParameters                                      parameters;
+  parameters.delta = 0.05;
+  itk::DelaunayRefinementEngine engine(oracle, parameters);
+  ASSERT_EQ(engine.Run(), itk::DelaunayRefinementEnums::TerminationReason::COMPLETED);
+  EXPECT_GT(engine.TakeResult().tetrahedra.size(), 10000u);
+}
+
+TEST(DelaunayRefinementMeshFilterShapes, DeltasDifferGreatly)
+{
+  const auto image = MakeMask(MakeCubeGeometry(24), BallOracle(origin, 9.0));
+  const itk::ImageDelaunayRefinementOracle<itk::Image<unsigned char, 3>> oracle(image, {});
+  itk::DelaunayRefinementParameters                                      parameters;
+  parameters.delta = 1e6;
+  parameters.componentDelta = { 2.0 };
+  itk::DelaunayRefinementEngine engine(oracle, parameters);
+  ASSERT_EQ(engine.Run(), itk::DelaunayRefinementEnums::TerminationReason::COMPLETED);
+  EXPECT_EQ(engine.CountFiringRules()[0], 0u);
+  EXPECT_GT(engine.TakeResult().tetrahedra.size(), 200u);
 }
 
 TEST(DelaunayRefinementMeshFilterShapes, DoubleCoordinatesAreNotRounded)
