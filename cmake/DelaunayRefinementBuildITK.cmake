@@ -87,6 +87,7 @@ run(
 if(NOT JOBS)
   cmake_host_system_information(RESULT JOBS QUERY NUMBER_OF_LOGICAL_CORES)
 endif()
+# Of the libraries only those that a module on these links to.
 run(
   ninja
   -C ${ITK_BUILD_DIR}
@@ -94,5 +95,6 @@ run(
   ITKMeshSwig
   ITKImageFunctionSwig
   ITKMesh
+  ITKStatistics
   ${ITK_TARGETS}
 )
