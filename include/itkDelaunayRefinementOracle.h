@@ -54,7 +54,10 @@ public:
     PointType maximum;
   };
 
+  /** Pieces of the surface. */
   using SurfacePatches = DelaunayRefinementSurfacePatches;
+
+  /** By this the oracle knows one of them. */
   using SurfacePatchIdentifier = DelaunayRefinementSurfacePatches::IdentifierType;
 
   virtual ~DelaunayRefinementOracle();

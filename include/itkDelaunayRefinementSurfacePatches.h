@@ -70,12 +70,14 @@ public:
     : m_Origin(origin)
   {}
 
+  /** Leaves none behind. */
   DelaunayRefinementSurfacePatches(DelaunayRefinementSurfacePatches && other) noexcept
     : DelaunayRefinementSurfacePatches(other.m_Origin)
   {
     *this = std::move(other);
   }
 
+  /** Leaves behind what there was here. */
   DelaunayRefinementSurfacePatches &
   operator=(DelaunayRefinementSurfacePatches && other) noexcept
   {
@@ -119,11 +121,15 @@ public:
   /** The box and the ball of a patch, relative to a corner that many patches may share. */
   struct ShapeType
   {
+    /** From the corner (mm). */
     std::array<float, 3> center;
+    /** Of the box around \c center (mm). */
     std::array<float, 3> halfExtents;
-    float                radius;
+    /** Of the ball around \c center (mm). */
+    float radius;
   };
 
+  /** A shape no smaller than a box and a ball, \c center being relative to the corner (mm). */
   static ShapeType
   MakeShape(const PointType & center, const PointType & halfExtents, double radius)
   {
@@ -151,6 +157,7 @@ public:
              static_cast<float>(corner[2] - m_Origin[2]) };
   }
 
+  /** A patch of a shape at a corner, from MakeCorner(). */
   void
   Add(const ShapeType & shape, const std::array<float, 3> & corner, const IdentifierType & identifier)
   {
@@ -170,6 +177,7 @@ public:
     ++m_Size;
   }
 
+  /** A patch within a box and a ball (mm). */
   void
   Add(const PointType & center, const PointType & halfExtents, double radius, const IdentifierType & identifier)
   {
@@ -192,6 +200,7 @@ public:
     ++m_Size;
   }
 
+  /** Number of patches. */
   std::size_t
   GetSize() const
   {
@@ -205,12 +214,14 @@ public:
     return Rounding * distance;
   }
 
+  /** What the arrays' coordinates are relative to (mm). */
   const PointType &
   GetOrigin() const
   {
     return m_Origin;
   }
 
+  /** A patch, with room for what rounding did to it. */
   PatchType
   Get(std::size_t number) const
   {
@@ -231,6 +242,7 @@ public:
     return patch;
   }
 
+  /** Of a patch. */
   const IdentifierType &
   GetIdentifier(std::size_t number) const
   {
