@@ -661,7 +661,7 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::CopyResult(const Delauna
   points->Reserve(static_cast<IdentifierType>(result.points.size()));
   for (std::size_t i = 0; i < result.points.size(); ++i)
   {
-    points->SetElement(static_cast<IdentifierType>(i), copyPoints(result.points[i]));
+    points->CastToSTLContainer()[i] = copyPoints(result.points[i]);
   }
   mesh->SetPoints(points);
   this->CopyCells<TetrahedronCell<typename OutputMeshType::CellType>>(
@@ -687,7 +687,7 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::CopyResult(const Delauna
   {
     if (numbers[i] != none)
     {
-      boundaryPoints->SetElement(numbers[i], copyPoints(result.points[i]));
+      boundaryPoints->CastToSTLContainer()[numbers[i]] = copyPoints(result.points[i]);
     }
   }
   boundary->SetPoints(boundaryPoints);
@@ -732,8 +732,8 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::CopyCells(const std::vec
     {
       cell->SetPointId(static_cast<int>(j), numberOf(from[i][j]));
     }
-    cells->SetElement(static_cast<IdentifierType>(i), cell);
-    data->SetElement(static_cast<IdentifierType>(i), value);
+    cells->CastToSTLContainer()[i] = cell;
+    data->CastToSTLContainer()[i] = value;
   }
 }
 

@@ -18,11 +18,11 @@
 #ifndef itkDelaunayRefinementSurfacePatches_h
 #define itkDelaunayRefinementSurfacePatches_h
 
+#include "itkDelaunayRefinementMemory.h"
 #include "itkDelaunayRefinementTypes.h"
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <utility>
 
 namespace itk
@@ -106,13 +106,13 @@ public:
     {
       return;
     }
-    std::unique_ptr<float[]>          numbers(new float[NumbersPerPatch * capacity]);
-    std::unique_ptr<IdentifierType[]> identifiers(new IdentifierType[capacity]);
+    DelaunayRefinementArray<float>          numbers(NumbersPerPatch * capacity);
+    DelaunayRefinementArray<IdentifierType> identifiers(capacity);
     for (std::size_t i = 0; i < NumbersPerPatch; ++i)
     {
-      std::copy_n(m_Numbers.get() + i * m_Capacity, m_Size, numbers.get() + i * capacity);
+      std::copy_n(m_Numbers.data() + i * m_Capacity, m_Size, numbers.data() + i * capacity);
     }
-    std::copy_n(m_Identifiers.get(), m_Size, identifiers.get());
+    std::copy_n(m_Identifiers.data(), m_Size, identifiers.data());
     m_Numbers.swap(numbers);
     m_Identifiers.swap(identifiers);
     m_Capacity = capacity;
@@ -165,7 +165,7 @@ public:
     {
       this->Grow();
     }
-    float * const     numbers = m_Numbers.get() + m_Size;
+    float * const     numbers = m_Numbers.data() + m_Size;
     const std::size_t capacity = m_Capacity;
     for (unsigned int i = 0; i < 3; ++i)
     {
@@ -250,27 +250,27 @@ public:
   }
 
   /** The arrays below are longer than there are patches, by this at least. */
-  static constexpr std::size_t BlockSize = 4;
+  static constexpr std::size_t BlockSize = 8;
 
   /** Coordinate \c axis of all centers, from the origin (mm). */
   const float *
   GetCenters(unsigned int axis) const
   {
-    return m_Numbers.get() + axis * m_Capacity;
+    return m_Numbers.data() + axis * m_Capacity;
   }
 
   /** Along \c axis, of all boxes (mm). */
   const float *
   GetHalfExtents(unsigned int axis) const
   {
-    return m_Numbers.get() + (3 + axis) * m_Capacity;
+    return m_Numbers.data() + (3 + axis) * m_Capacity;
   }
 
   /** Of all balls (mm). */
   const float *
   GetRadii() const
   {
-    return m_Numbers.get() + 6 * m_Capacity;
+    return m_Numbers.data() + 6 * m_Capacity;
   }
 
 private:
@@ -290,9 +290,9 @@ private:
   std::size_t m_Size{ 0 };
   std::size_t m_Capacity{ 0 };
 
-  // Not vectors, which would write to all they have room for.
-  std::unique_ptr<float[]>          m_Numbers{};
-  std::unique_ptr<IdentifierType[]> m_Identifiers{};
+  // Of numbers as many as there is room for, whatever they are.
+  DelaunayRefinementArray<float>          m_Numbers{};
+  DelaunayRefinementArray<IdentifierType> m_Identifiers{};
 };
 } // end namespace itk
 

@@ -140,7 +140,7 @@ DelaunayRefinementComplex::AddVertex(VertexKind kind, double delta)
 }
 
 void
-DelaunayRefinementComplex::UpdateRegions(const std::vector<IndexType> & cells)
+DelaunayRefinementComplex::UpdateRegions(const DelaunayRefinementArray<IndexType> & cells)
 {
   m_Regions.resize(m_Triangulation.GetNumberOfCellIndexes());
   for (const IndexType cell : cells)

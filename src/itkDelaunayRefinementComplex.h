@@ -78,7 +78,7 @@ public:
   void
   FindVerticesWithin(IndexType vertex, double radius, std::vector<IndexType> & found);
 
-  const std::vector<IndexType> &
+  const DelaunayRefinementArray<IndexType> &
   GetNewCells() const
   {
     return m_Triangulation.GetNewCells();
@@ -172,22 +172,22 @@ private:
   AddVertex(VertexKind kind, double delta);
 
   void
-  UpdateRegions(const std::vector<IndexType> & cells);
+  UpdateRegions(const DelaunayRefinementArray<IndexType> & cells);
 
-  const DelaunayRefinementOracle & m_Oracle;
-  bool                             m_RoundToFloat;
-  BoundsType                       m_Box;
-  DelaunayRefinementTriangulation  m_Triangulation{};
-  std::vector<RegionType>          m_Regions{};
-  std::vector<VertexKind>          m_Kinds{};
-  std::vector<double>              m_Deltas{};
-  std::array<std::size_t, 4>       m_NumbersOfVertices{};
+  const DelaunayRefinementOracle &    m_Oracle;
+  bool                                m_RoundToFloat;
+  BoundsType                          m_Box;
+  DelaunayRefinementTriangulation     m_Triangulation{};
+  DelaunayRefinementArray<RegionType> m_Regions{};
+  DelaunayRefinementArray<VertexKind> m_Kinds{};
+  DelaunayRefinementArray<double>     m_Deltas{};
+  std::array<std::size_t, 4>          m_NumbersOfVertices{};
 
   // Of the search within a ball: the last search that saw a vertex, and the last star that held a cell.
-  std::vector<std::uint32_t> m_VertexMarks{};
-  std::vector<std::uint32_t> m_CellMarks{};
-  std::uint32_t              m_NumberOfSearches{ 0 };
-  std::uint32_t              m_NumberOfStars{ 0 };
+  DelaunayRefinementArray<std::uint32_t> m_VertexMarks{};
+  DelaunayRefinementArray<std::uint32_t> m_CellMarks{};
+  std::uint32_t                          m_NumberOfSearches{ 0 };
+  std::uint32_t                          m_NumberOfStars{ 0 };
 };
 } // end namespace itk
 

@@ -116,7 +116,7 @@ private:
 
   /** Queues whatever may fire for new cells. */
   void
-  Examine(const std::vector<IndexType> & cells);
+  Examine(const DelaunayRefinementArray<IndexType> & cells);
 
   /** R1 for what is open of the surface, \c numberOfVertices being there already; false if the run is to stop. */
   bool
@@ -183,7 +183,7 @@ private:
   DelaunayRefinementQueue                          m_R3Queue{};
   DelaunayRefinementQueue                          m_R4Queue{};
   std::vector<IndexType>                           m_Found{};
-  std::vector<std::uint32_t>                       m_ExaminedIn{};
+  DelaunayRefinementArray<std::uint32_t>           m_ExaminedIn{};
   std::uint32_t                                    m_NumberOfExaminations{ 0 };
   std::mt19937_64                                  m_Random{};
   bool                                             m_IsSampleOpen{ false };
@@ -305,7 +305,7 @@ DelaunayRefinementEngine::Impl::Refine()
 }
 
 void
-DelaunayRefinementEngine::Impl::Examine(const std::vector<IndexType> & cells)
+DelaunayRefinementEngine::Impl::Examine(const DelaunayRefinementArray<IndexType> & cells)
 {
   const auto & triangulation = m_Complex->GetTriangulation();
   m_ExaminedIn.resize(triangulation.GetNumberOfCellIndexes(), 0);

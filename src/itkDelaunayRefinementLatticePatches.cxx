@@ -75,6 +75,21 @@ GetChild(const DelaunayRefinementOracle::SurfacePatchIdentifier & patch, std::in
   };
 }
 
+/** The quarters of a cell of a mask's interpolated indicator that may hold surface. */
+std::uint64_t
+GetIndicatorQuarters(const DelaunayRefinementVoxelMask & mask, const std::array<std::int32_t, 3> & cell)
+{
+  return DelaunayRefinementIndicatorCell::Get(mask.GetConfiguration(cell[0], cell[1], cell[2])).quarters;
+}
+
+/** Of a cell's quarters those in one of its eighths, by number. */
+unsigned int
+GatherOctants(std::uint64_t quarters, const std::array<std::int32_t, 3> & eighth)
+{
+  const std::uint64_t bits = quarters >> (2 * (eighth[0] & 1) + 8 * (eighth[1] & 1) + 32 * (eighth[2] & 1));
+  return static_cast<unsigned int>((bits & 3u) | (bits >> 2 & 12u) | (bits >> 12 & 48u) | (bits >> 14 & 192u));
+}
+
 /** Three numbers in [0, 1) that depend on the arguments alone. */
 PointType
 Scatter(const std::array<std::int32_t, 3> & index, unsigned int level)
@@ -124,7 +139,9 @@ DelaunayRefinementLatticeOracle::SplitSurfacePatch(const SurfacePatchIdentifier 
     return;
   }
   const PlaceType    place = ToPlace(patch);
-  const unsigned int octants = this->FindOctants(place.cell, place.corner, place.size);
+  const bool         isKnown = m_Model == ModelEnum::INDICATOR && patch.level == CellLevel + 1;
+  const unsigned int octants = isKnown ? GatherOctants(GetIndicatorQuarters(*m_Mask, place.cell), patch.index)
+                                       : this->FindOctants(place.cell, place.corner, place.size);
   const double       quarter = 0.25 * place.size;
   const auto         shape = this->MakeShape({ quarter, quarter, quarter }, { quarter, quarter, quarter });
   for (std::int32_t i = 0; i < 8; ++i)

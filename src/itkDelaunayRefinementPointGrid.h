@@ -19,6 +19,7 @@
 #define itkDelaunayRefinementPointGrid_h
 
 #include "itkDelaunayRefinementGeometry.h"
+#include "itkDelaunayRefinementMemory.h"
 
 namespace itk
 {
@@ -99,16 +100,16 @@ private:
     return static_cast<std::size_t>(z) * m_Size[1] + y;
   }
 
-  PointType                 m_Minimum;
-  double                    m_InverseSize;
-  CubeType                  m_Size;
-  std::vector<PointType>    m_Points{};
-  std::vector<BlockType>    m_Blocks{};
-  std::vector<std::int32_t> m_LastBlocks{}; // of each cube
+  PointType                             m_Minimum;
+  double                                m_InverseSize;
+  CubeType                              m_Size;
+  std::vector<PointType>                m_Points{};
+  DelaunayRefinementArray<BlockType>    m_Blocks{};
+  DelaunayRefinementArray<std::int32_t> m_LastBlocks{}; // of each cube
 
   // A bit for each cube with points.
-  std::size_t                m_WordsPerRow{ 0 };
-  std::vector<std::uint64_t> m_IsOccupied{};
+  std::size_t                            m_WordsPerRow{ 0 };
+  DelaunayRefinementArray<std::uint64_t> m_IsOccupied{};
 };
 } // end namespace itk
 

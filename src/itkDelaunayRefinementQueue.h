@@ -81,8 +81,8 @@ private:
     }
   }
 
-  std::vector<EntryType> m_Entries{};
-  std::size_t            m_Next{ 0 };
+  DelaunayRefinementArray<EntryType> m_Entries{};
+  std::size_t                        m_Next{ 0 };
 };
 } // end namespace itk
 

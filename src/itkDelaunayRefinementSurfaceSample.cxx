@@ -111,9 +111,9 @@ DelaunayRefinementSurfaceSample::CollectPatches(const PatchesType &            r
                                                 DelaunayRefinementPatchCover & cover,
                                                 const MayVisitType &           mayVisit)
 {
-  std::vector<double> deltas;
-  PatchesType &       patches = cover.GetMarks().GetPatches();
-  PatchesType         wholes;
+  DelaunayRefinementArray<float> deltas;
+  PatchesType &                  patches = cover.GetMarks().GetPatches();
+  PatchesType                    wholes;
   patches.Reserve(8 * roots.GetSize());
   for (const std::uint32_t number : cover.GetOrder())
   {
@@ -137,20 +137,22 @@ DelaunayRefinementSurfaceSample::CollectPatches(const PatchesType &            r
         else
         {
           patches.Add(wholes, i);
-          deltas.push_back(delta);
+          deltas.push_back(static_cast<float>(delta));
         }
       }
       std::swap(wholes, m_Parts);
     }
     cover.EndGroup(isUniform);
   }
-  cover.GetMarks().Start(cover.GetExtent(), HopefulShare, [&deltas](std::size_t i) { return deltas[i]; });
+  cover.GetMarks().Start(cover.GetExtent(), HopefulShare, std::move(deltas));
   return true;
 }
 
+template <typename TVertices>
 DelaunayRefinementSurfaceSample::OutcomeEnum
 DelaunayRefinementSurfaceSample::Sample(const PatchesType::IdentifierType & patch,
                                         bool                                isUniform,
+                                        const TVertices &                   vertices,
                                         DelaunayRefinementPatchCover &      cover,
                                         std::vector<PointType> &            points)
 {
@@ -160,7 +162,7 @@ DelaunayRefinementSurfaceSample::Sample(const PatchesType::IdentifierType & patc
     return OutcomeEnum::EMPTY;
   }
   const double own = isUniform ? m_LocalDelta.GetMaximum() : m_LocalDelta.GetAt(point);
-  if (m_Grid.HasPointWithin(point, Separation * own))
+  if (vertices.HasPointWithin(point, Separation * own))
   {
     return OutcomeEnum::TOO_NEAR;
   }
@@ -256,7 +258,7 @@ DelaunayRefinementSurfaceSample::CoverPatches(const DelaunayRefinementPatchCover
         m_Wholes.GetRadii()[i] < SmallestPatch * delta || m_Wholes.GetIdentifier(i).level >= DeepestLevel;
       if (answer == AnswerEnum::FAR || isSmallest)
       {
-        const OutcomeEnum outcome = this->Sample(m_Wholes.GetIdentifier(i), group.isUniform, cover, points);
+        const OutcomeEnum outcome = this->Sample(m_Wholes.GetIdentifier(i), group.isUniform, m_Nearby, cover, points);
         if (outcome == OutcomeEnum::INSERTED)
         {
           m_Nearby.Add(points.back());
@@ -312,8 +314,8 @@ DelaunayRefinementSurfaceSample::Certify(std::vector<PointType> & points, const 
     {
       return false;
     }
-    if (!marks.IsCovered(i) && !marks.IsNear(i) &&
-        this->Sample(marks.GetPatches().GetIdentifier(i), m_LocalDelta.IsUniform(), cover, points) ==
+    if (!marks.IsCoveredOrNear(i) &&
+        this->Sample(marks.GetPatches().GetIdentifier(i), m_LocalDelta.IsUniform(), m_Grid, cover, points) ==
           OutcomeEnum::EMPTY)
     {
       marks.SetCovered(i);

@@ -92,10 +92,12 @@ private:
     EMPTY // the patch holds no surface
   };
 
-  /** Inserts a point of a patch, last in \c points, unless a vertex is too near. */
+  /** Inserts a point of a patch, last in \c points, unless \c vertices has one too near. */
+  template <typename TVertices>
   OutcomeEnum
   Sample(const PatchesType::IdentifierType & patch,
          bool                                isUniform,
+         const TVertices &                   vertices,
          DelaunayRefinementPatchCover &      cover,
          std::vector<PointType> &            points);
 

@@ -19,6 +19,7 @@
 
 #include "itkDelaunayRefinementPredicates.h"
 #include "itkDelaunayRefinementSpatialOrder.h"
+#include "itkDelaunayRefinementWideLoops.h"
 
 #include <algorithm>
 #include <cassert>
@@ -101,6 +102,7 @@ struct BallsType
     }
   }
 
+  ITK_DELAUNAY_REFINEMENT_WIDE_LOOPS
   void
   Compute(const PointType & origin)
   {

@@ -19,6 +19,7 @@
 #define itkDelaunayRefinementTriangulation_h
 
 #include "itkDelaunayRefinementGeometry.h"
+#include "itkDelaunayRefinementMemory.h"
 
 namespace itk
 {
@@ -70,7 +71,7 @@ public:
   Remove(IndexType vertex);
 
   /** The cells that the last call made. */
-  const std::vector<IndexType> &
+  const DelaunayRefinementArray<IndexType> &
   GetNewCells() const
   {
     return m_NewCells;
@@ -274,18 +275,18 @@ private:
 
   static constexpr unsigned int MostVerticesOfMatrix = 64;
 
-  std::vector<PointType>     m_Points{};
-  std::vector<IndexType>     m_CellOfVertex{};
-  std::vector<CellType>      m_Cells{};
-  std::vector<std::uint32_t> m_Generations{};
-  std::vector<IndexType>     m_FreeCells{};
-  std::vector<IndexType>     m_NewCells{};
+  DelaunayRefinementArray<PointType>     m_Points{};
+  DelaunayRefinementArray<IndexType>     m_CellOfVertex{};
+  DelaunayRefinementArray<CellType>      m_Cells{};
+  DelaunayRefinementArray<std::uint32_t> m_Generations{};
+  DelaunayRefinementArray<IndexType>     m_FreeCells{};
+  DelaunayRefinementArray<IndexType>     m_NewCells{};
 
   // Scratch of single calls.
   std::vector<IndexType>                    m_Cavity{};
   std::vector<BoundaryType>                 m_Boundary{};
-  std::vector<MarkEnum>                     m_CellMarks{}; // NONE between calls
-  std::vector<std::uint64_t>                m_VertexPlaces{};
+  DelaunayRefinementArray<MarkEnum>         m_CellMarks{}; // NONE between calls
+  DelaunayRefinementArray<std::uint64_t>    m_VertexPlaces{};
   std::uint32_t                             m_NumberOfStars{ 0 };
   std::vector<IndexType>                    m_Matrix{};
   std::vector<std::array<std::uint32_t, 3>> m_FacetPlaces{};
