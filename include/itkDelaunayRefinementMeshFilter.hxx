@@ -484,6 +484,8 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::MakeParameters(const Del
   parameters.refineOutside = m_RefineOutside;
   parameters.minimumDihedralAngle = m_MinimumDihedralAngle;
   parameters.maximumNumberOfVertices = m_MaximumNumberOfVertices;
+  parameters.numberOfThreads =
+    std::min<unsigned int>(this->GetNumberOfWorkUnits(), this->GetMultiThreader()->GetMaximumNumberOfThreads());
   parameters.roundToFloat = sizeof(typename OutputMeshType::CoordRepType) < sizeof(double);
   parameters.progress = [this](double progress) {
     this->UpdateProgress(static_cast<float>(progress));

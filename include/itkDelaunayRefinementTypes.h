@@ -65,6 +65,9 @@ struct DelaunayRefinementParameters
   /** Every point is rounded to single precision before it is inserted. */
   bool roundToFloat{ false };
 
+  /** Threads to use. The mesh does not depend on their number. At least 1. */
+  unsigned int numberOfThreads{ 1 };
+
   /** Called now and then on the calling thread with a growing share of the work done, in [0, 1]; the refinement stops
    * with STOPPED_BY_CALLER when it returns false. */
   std::function<bool(double)> progress{};
