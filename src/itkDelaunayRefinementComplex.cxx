@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "itkDelaunayRefinementComplex.h"
 
+#include <algorithm>
+
 namespace itk
 {
 DelaunayRefinementComplex::DelaunayRefinementComplex(const DelaunayRefinementOracle & oracle,
@@ -30,6 +32,7 @@ DelaunayRefinementComplex::DelaunayRefinementComplex(const DelaunayRefinementOra
 bool
 DelaunayRefinementComplex::Start(const std::vector<PointType> & features,
                                  const std::vector<double> &    deltas,
+                                 DelaunayRefinementThreads &    threads,
                                  const std::function<bool()> &  keepGoing)
 {
   std::vector<PointType> points;
@@ -55,8 +58,49 @@ DelaunayRefinementComplex::Start(const std::vector<PointType> & features,
   {
     return false;
   }
-  this->UpdateRegions(m_Triangulation.GetNewCells());
+  m_Triangulation.SetNumberOfThreads(threads.GetNumberOfThreads());
+  const auto & cells = m_Triangulation.GetNewCells();
+  m_Regions.resize(m_Triangulation.GetNumberOfCellIndexes());
+  constexpr std::size_t cellsPerItem = 4096;
+  threads.Run(cells.size() / cellsPerItem + 1, [&](std::size_t item, unsigned int) {
+    const std::size_t end = std::min(cells.size(), (item + 1) * cellsPerItem);
+    for (std::size_t i = item * cellsPerItem; i < end; ++i)
+    {
+      this->UpdateRegion(cells[i]);
+    }
+  });
   return keepGoing();
+}
+
+bool
+DelaunayRefinementComplex::Reserve(StarType & star, VertexKind kind, double delta)
+{
+  star.vertex = None;
+  if (!m_Triangulation.Reserve(star))
+  {
+    return false;
+  }
+  this->AddVertex(kind, delta);
+  m_Regions.resize(m_Triangulation.GetNumberOfCellIndexes());
+  return true;
+}
+
+void
+DelaunayRefinementComplex::Fill(StarType & star, unsigned int thread)
+{
+  m_Triangulation.Fill(star, thread);
+  for (const IndexType cell : star.cells)
+  {
+    m_Triangulation.MendBall(cell);
+    this->UpdateRegion(cell);
+  }
+}
+
+bool
+DelaunayRefinementComplex::IsStrictlyInsideBox(const PointType & point) const
+{
+  return point[0] > m_Box.minimum[0] && point[1] > m_Box.minimum[1] && point[2] > m_Box.minimum[2] &&
+         point[0] < m_Box.maximum[0] && point[1] < m_Box.maximum[1] && point[2] < m_Box.maximum[2];
 }
 
 DelaunayRefinementComplex::IndexType
@@ -145,7 +189,7 @@ DelaunayRefinementComplex::UpdateRegions(const DelaunayRefinementArray<IndexType
   m_Regions.resize(m_Triangulation.GetNumberOfCellIndexes());
   for (const IndexType cell : cells)
   {
-    m_Regions[cell] = m_Triangulation.IsInfinite(cell) ? 0 : m_Oracle.Classify(this->GetCircumcenter(cell));
+    this->UpdateRegion(cell);
   }
 }
 } // end namespace itk

@@ -20,6 +20,7 @@
 
 #include "itkDelaunayRefinementGeometry.h"
 #include "itkDelaunayRefinementOracle.h"
+#include "itkDelaunayRefinementThreads.h"
 #include "itkDelaunayRefinementTriangulation.h"
 
 namespace itk
@@ -51,6 +52,7 @@ public:
   bool
   Start(const std::vector<PointType> & features,
         const std::vector<double> &    deltas,
+        DelaunayRefinementThreads &    threads,
         const std::function<bool()> &  keepGoing);
 
   /** To the type in which points are stored in the end. */
@@ -69,6 +71,36 @@ public:
   /** Inserts a vertex near \c hint; None if the point is a vertex already. GetNewCells() lists what changed. */
   IndexType
   Insert(const PointType & point, VertexKind kind, double delta, IndexType hint);
+
+  using StarType = DelaunayRefinementTriangulation::StarType;
+
+  /** The steps of an insertion, as in the triangulation. */
+  bool
+  FindStar(const PointType & point, IndexType hint, StarType & star, unsigned int thread) const
+  {
+    return m_Triangulation.FindStar(point, hint, star, thread);
+  }
+
+  void
+  StartBatch()
+  {
+    m_Triangulation.StartBatch();
+  }
+
+  bool
+  Reserve(StarType & star, VertexKind kind, double delta);
+
+  void
+  Fill(StarType & star, unsigned int thread);
+
+  void
+  Finish(const StarType & star)
+  {
+    m_Triangulation.Finish(star);
+  }
+
+  bool
+  IsStrictlyInsideBox(const PointType & point) const;
 
   /** Removes a vertex that is no corner of the box. GetNewCells() lists what changed. */
   void
@@ -170,6 +202,12 @@ public:
 private:
   void
   AddVertex(VertexKind kind, double delta);
+
+  void
+  UpdateRegion(IndexType cell)
+  {
+    m_Regions[cell] = m_Triangulation.IsInfinite(cell) ? 0 : m_Oracle.Classify(this->GetCircumcenter(cell));
+  }
 
   void
   UpdateRegions(const DelaunayRefinementArray<IndexType> & cells);

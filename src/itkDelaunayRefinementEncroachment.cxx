@@ -49,14 +49,6 @@ DelaunayRefinementEncroachment::DelaunayRefinementEncroachment(const DelaunayRef
   }
 }
 
-bool
-DelaunayRefinementEncroachment::IsStrictlyInside(const PointType & point) const
-{
-  const auto & box = m_Complex.GetBox();
-  return point[0] > box.minimum[0] && point[1] > box.minimum[1] && point[2] > box.minimum[2] &&
-         point[0] < box.maximum[0] && point[1] < box.maximum[1] && point[2] < box.maximum[2];
-}
-
 DelaunayRefinementEncroachment::ProposalType
 DelaunayRefinementEncroachment::FindEncroachment(const PointType & circumcenter)
 {

@@ -51,9 +51,6 @@ public:
 
   explicit DelaunayRefinementEncroachment(const DelaunayRefinementComplex & complex);
 
-  bool
-  IsStrictlyInside(const PointType & point) const;
-
   /** The case for a circumcenter; NONE if it is strictly inside the box. Midpoints of box edges are taken to be
    * inserted once proposed. */
   ProposalType

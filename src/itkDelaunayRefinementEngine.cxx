@@ -18,6 +18,8 @@
 #include "itkDelaunayRefinementEngine.h"
 
 #include "itkDelaunayRefinementAudit.h"
+#include "itkDelaunayRefinementBlockQueue.h"
+#include "itkDelaunayRefinementCircumcenters.h"
 #include "itkDelaunayRefinementComplex.h"
 #include "itkDelaunayRefinementEncroachment.h"
 #include "itkDelaunayRefinementExtraction.h"
@@ -25,9 +27,11 @@
 #include "itkDelaunayRefinementQueue.h"
 #include "itkDelaunayRefinementRules.h"
 #include "itkDelaunayRefinementSurfaceSample.h"
+#include "itkDelaunayRefinementThreads.h"
 
 #include <algorithm>
 #include <chrono>
+#include <mutex>
 #include <random>
 
 namespace itk
@@ -65,6 +69,9 @@ public:
     : m_Oracle(oracle)
     , m_Parameters(parameters)
     , m_LocalDelta(oracle, parameters)
+    , m_Threads(parameters.numberOfThreads)
+    , m_R2Queue(oracle.GetSurfaceBounds().minimum, oracle.GetSurfaceBounds().maximum)
+    , m_R4Queue(oracle.GetSurfaceBounds().minimum, oracle.GetSurfaceBounds().maximum)
   {}
 
   TerminationReason
@@ -114,9 +121,16 @@ private:
   void
   Refine();
 
-  /** Queues whatever may fire for new cells. */
+  /** Queues whatever may fire for the new cells of the last call that changed the complex. */
   void
-  Examine(const DelaunayRefinementArray<IndexType> & cells);
+  ExamineNewCells();
+
+  /** The same for all cells. */
+  void
+  ExamineAllCells();
+
+  void
+  Queue(const std::vector<DelaunayRefinementRules::FindingType> & findings);
 
   /** R1 for what is open of the surface, \c numberOfVertices being there already; false if the run is to stop. */
   bool
@@ -127,9 +141,19 @@ private:
   bool
   ApplyR1();
   bool
+  ApplyEncroachment();
+  bool
   ApplyR2();
   bool
   ApplyR4();
+
+  /** Inserts circumcenters of cells in a queue, if \c ask says so. */
+  bool
+  ApplyToCircumcenters(DelaunayRefinementBlockQueue & queue, const DelaunayRefinementCircumcenters::AskType & ask);
+
+  /** R2 for one cell. */
+  void
+  InsertOrEncroach(IndexType cell);
 
   /** Inserts a vertex, None if there is one at the point or the limit is reached; a feature vertex also removes the
    * free vertices within 2 delta (section III), or within the cell size if that is less. */
@@ -140,17 +164,37 @@ private:
   InsertFeature(RefinementRule rule, const PointType & point, IndexType hint);
 
   void
-  InsertCircumcenter(RefinementRule rule, IndexType cell);
-
-  void
   Encroach(const DelaunayRefinementEncroachment::ProposalType & proposal, IndexType cell);
 
   /** Replaces a vertex of tetrahedra that are too flat to be stored; false if there were none. */
   bool
   MendFlatTetrahedra();
 
+  bool
+  IsFlat(IndexType cell) const;
+
   void
   MoveVertex(IndexType vertex);
+
+  /** Calls \c visitor with all finite cells, on all threads. */
+  template <typename TVisitor>
+  void
+  VisitAllCells(const TVisitor & visitor)
+  {
+    constexpr std::size_t cellsPerItem = 4096;
+    const auto &          triangulation = m_Complex->GetTriangulation();
+    const std::size_t     length = triangulation.GetNumberOfCellIndexes();
+    m_Threads.Run(length / cellsPerItem + 1, [&](std::size_t item, unsigned int) {
+      const auto end = static_cast<IndexType>(std::min(length, (item + 1) * cellsPerItem));
+      for (auto cell = static_cast<IndexType>(item * cellsPerItem); cell < end; ++cell)
+      {
+        if (triangulation.IsAlive(cell) && !triangulation.IsInfinite(cell))
+        {
+          visitor(cell);
+        }
+      }
+    });
+  }
 
   /** Lowers delta for components in which no tetrahedron has its circumcenter; false if there were none. */
   bool
@@ -169,29 +213,33 @@ private:
     return std::chrono::duration<double>(Clock::now() - start).count();
   }
 
-  const DelaunayRefinementOracle &                 m_Oracle;
-  DelaunayRefinementParameters                     m_Parameters;
-  DelaunayRefinementLocalDelta                     m_LocalDelta;
-  DelaunayRefinementStatistics                     m_Statistics{};
-  DelaunayRefinementResult                         m_Result{};
-  std::unique_ptr<DelaunayRefinementSurfaceSample> m_Sample{};
-  std::unique_ptr<DelaunayRefinementComplex>       m_Complex{};
-  std::unique_ptr<DelaunayRefinementRules>         m_Rules{};
-  std::unique_ptr<DelaunayRefinementEncroachment>  m_Encroachment{};
-  DelaunayRefinementQueue                          m_R2Queue{};
-  DelaunayRefinementQueue                          m_EncroachmentQueue{};
-  DelaunayRefinementQueue                          m_R3Queue{};
-  DelaunayRefinementQueue                          m_R4Queue{};
-  std::vector<IndexType>                           m_Found{};
-  DelaunayRefinementArray<std::uint32_t>           m_ExaminedIn{};
-  std::uint32_t                                    m_NumberOfExaminations{ 0 };
-  std::mt19937_64                                  m_Random{};
-  bool                                             m_IsSampleOpen{ false };
-  TerminationReason                                m_Reason{ TerminationReason::COMPLETED };
-  unsigned int                                     m_NumberOfLowerings{ 0 };
-  unsigned int                                     m_NumberOfShapeRounds{ 0 };
-  std::size_t                                      m_NumberOfSteps{ 0 };
-  double                                           m_Progress{ 0.0 };
+  const DelaunayRefinementOracle &                  m_Oracle;
+  DelaunayRefinementParameters                      m_Parameters;
+  DelaunayRefinementLocalDelta                      m_LocalDelta;
+  DelaunayRefinementThreads                         m_Threads;
+  DelaunayRefinementStatistics                      m_Statistics{};
+  DelaunayRefinementResult                          m_Result{};
+  std::unique_ptr<DelaunayRefinementSurfaceSample>  m_Sample{};
+  std::unique_ptr<DelaunayRefinementComplex>        m_Complex{};
+  std::unique_ptr<DelaunayRefinementRules>          m_Rules{};
+  std::unique_ptr<DelaunayRefinementEncroachment>   m_Encroachment{};
+  std::unique_ptr<DelaunayRefinementCircumcenters>  m_Circumcenters{};
+  DelaunayRefinementBlockQueue                      m_R2Queue;
+  DelaunayRefinementQueue                           m_EncroachmentQueue{};
+  DelaunayRefinementQueue                           m_R3Queue{};
+  DelaunayRefinementBlockQueue                      m_R4Queue;
+  std::vector<IndexType>                            m_Found{};
+  std::vector<DelaunayRefinementRules::FindingType> m_Findings{};
+  DelaunayRefinementArray<std::uint32_t>            m_ExaminedIn{};
+  std::uint32_t                                     m_NumberOfExaminations{ 0 };
+  std::mt19937_64                                   m_Random{};
+  bool                                              m_IsSampleOpen{ false };
+  TerminationReason                                 m_Reason{ TerminationReason::COMPLETED };
+  unsigned int                                      m_NumberOfLowerings{ 0 };
+  unsigned int                                      m_NumberOfShapeRounds{ 0 };
+  std::size_t                                       m_NumberOfSteps{ 0 };
+  std::size_t                                       m_NextQuestion{ ProgressInterval };
+  double                                            m_Progress{ 0.0 };
 };
 
 TerminationReason
@@ -276,12 +324,13 @@ DelaunayRefinementEngine::Impl::StartComplex(const std::vector<PointType> & seed
   m_Complex = std::make_unique<DelaunayRefinementComplex>(m_Oracle, m_Parameters.roundToFloat, this->ComputeBox());
   m_Rules = std::make_unique<DelaunayRefinementRules>(m_Oracle, m_Parameters, *m_Complex, m_LocalDelta, *m_Sample);
   m_Encroachment = std::make_unique<DelaunayRefinementEncroachment>(*m_Complex);
+  m_Circumcenters = std::make_unique<DelaunayRefinementCircumcenters>(*m_Complex, *m_Rules, m_Threads);
   m_Statistics.insertions[static_cast<std::size_t>(RefinementRule::R1)] = seeds.size();
-  if (!m_Complex->Start(seeds, deltas, [this] { return this->KeepGoing(); }))
+  if (!m_Complex->Start(seeds, deltas, m_Threads, [this] { return this->KeepGoing(); }))
   {
     return false;
   }
-  this->Examine(m_Complex->GetNewCells());
+  this->ExamineAllCells();
   return true;
 }
 
@@ -292,12 +341,16 @@ DelaunayRefinementEngine::Impl::Refine()
   // vertices.
   while (m_Reason == TerminationReason::COMPLETED)
   {
-    if (++m_NumberOfSteps % ProgressInterval == 0 && !this->KeepGoing())
+    if (++m_NumberOfSteps >= m_NextQuestion)
     {
-      return;
+      m_NextQuestion = m_NumberOfSteps + ProgressInterval;
+      if (!this->KeepGoing())
+      {
+        return;
+      }
     }
-    if (!(this->ApplyR1() || this->ApplyR3() || this->ApplyR2() || this->ApplyR4() || this->MendFlatTetrahedra() ||
-          this->LowerDeltaOfMissingComponents()))
+    if (!(this->ApplyR1() || this->ApplyR3() || this->ApplyEncroachment() || this->ApplyR2() || this->ApplyR4() ||
+          this->MendFlatTetrahedra() || this->LowerDeltaOfMissingComponents()))
     {
       return;
     }
@@ -305,37 +358,71 @@ DelaunayRefinementEngine::Impl::Refine()
 }
 
 void
-DelaunayRefinementEngine::Impl::Examine(const DelaunayRefinementArray<IndexType> & cells)
+DelaunayRefinementEngine::Impl::ExamineNewCells()
 {
   const auto & triangulation = m_Complex->GetTriangulation();
   m_ExaminedIn.resize(triangulation.GetNumberOfCellIndexes(), 0);
   ++m_NumberOfExaminations;
-  for (const IndexType cell : cells)
+  m_Findings.clear();
+  for (const IndexType cell : m_Complex->GetNewCells())
   {
-    if (triangulation.IsInfinite(cell))
-    {
-      continue;
-    }
-    if (m_Rules->MayFireR2(cell))
-    {
-      // Encroachment goes first: it removes free vertices. The object is in the box.
-      const bool isInBox =
-        m_Complex->GetRegion(cell) != 0 || m_Encroachment->IsStrictlyInside(m_Complex->GetCircumcenter(cell));
-      (isInBox ? m_R2Queue : m_EncroachmentQueue).Push(triangulation, cell);
-    }
-    if (m_Rules->FiresR4(cell) || m_Rules->FiresCellSize(cell) || m_Rules->FiresR4Prime(cell))
-    {
-      m_R4Queue.Push(triangulation, cell);
-    }
+    // A facet between two new cells once, when the first of them has its turn.
+    unsigned int facets = 0;
     m_ExaminedIn[cell] = m_NumberOfExaminations;
     for (unsigned int i = 0; i < 4; ++i)
     {
-      // A facet between two new cells once, when the first of them has its turn.
-      if (m_ExaminedIn[triangulation.GetCell(cell).neighbors[i]] != m_NumberOfExaminations &&
-          m_Rules->MayFireR3(cell, i))
+      const IndexType neighbor = triangulation.GetCell(cell).neighbors[i];
+      facets |= m_ExaminedIn[neighbor] != m_NumberOfExaminations ? 1u << i : 0;
+    }
+    m_Rules->Examine(cell, facets, m_Findings);
+  }
+  this->Queue(m_Findings);
+}
+
+void
+DelaunayRefinementEngine::Impl::ExamineAllCells()
+{
+  using FindingsType = std::vector<DelaunayRefinementRules::FindingType>;
+  constexpr std::size_t     cellsPerItem = 4096;
+  const auto &              triangulation = m_Complex->GetTriangulation();
+  const auto &              cells = m_Complex->GetNewCells();
+  std::vector<FindingsType> findings(cells.size() / cellsPerItem + 1);
+  m_Threads.Run(findings.size(), [&](std::size_t item, unsigned int) {
+    const std::size_t end = std::min(cells.size(), (item + 1) * cellsPerItem);
+    for (std::size_t i = item * cellsPerItem; i < end; ++i)
+    {
+      unsigned int facets = 0;
+      for (unsigned int slot = 0; slot < 4; ++slot)
       {
-        m_R3Queue.Push(triangulation, cell, i);
+        facets |= triangulation.GetCell(cells[i]).neighbors[slot] > cells[i] ? 1u << slot : 0;
       }
+      m_Rules->Examine(cells[i], facets, findings[item]);
+    }
+  });
+  std::for_each(findings.begin(), findings.end(), [this](const FindingsType & some) { this->Queue(some); });
+}
+
+void
+DelaunayRefinementEngine::Impl::Queue(const std::vector<DelaunayRefinementRules::FindingType> & findings)
+{
+  using RuleGroupEnum = DelaunayRefinementRules::RuleGroupEnum;
+  const auto & triangulation = m_Complex->GetTriangulation();
+  for (const auto & finding : findings)
+  {
+    switch (finding.which)
+    {
+      case RuleGroupEnum::R2:
+        m_R2Queue.Push(triangulation, finding.cell);
+        break;
+      case RuleGroupEnum::ENCROACHMENT:
+        m_EncroachmentQueue.Push(triangulation, finding.cell);
+        break;
+      case RuleGroupEnum::R3:
+        m_R3Queue.Push(triangulation, finding.cell, finding.facet);
+        break;
+      case RuleGroupEnum::R4:
+        m_R4Queue.Push(triangulation, finding.cell);
+        break;
     }
   }
 }
@@ -392,57 +479,95 @@ DelaunayRefinementEngine::Impl::ApplyR1()
 }
 
 bool
-DelaunayRefinementEngine::Impl::ApplyR2()
+DelaunayRefinementEngine::Impl::ApplyEncroachment()
 {
   DelaunayRefinementQueue::EntryType entry;
-  if (!m_EncroachmentQueue.Pop(m_Complex->GetTriangulation(), entry) &&
-      !m_R2Queue.Pop(m_Complex->GetTriangulation(), entry))
+  if (!m_EncroachmentQueue.Pop(m_Complex->GetTriangulation(), entry))
   {
     return false;
   }
   if (m_Rules->FiresR2(entry.cell))
   {
-    const PointType center = m_Complex->Round(m_Complex->GetCircumcenter(entry.cell));
-    const auto      proposal = m_Encroachment->FindEncroachment(center);
-    if (proposal.which == EncroachmentCase::NONE)
-    {
-      this->InsertCircumcenter(RefinementRule::R2, entry.cell);
-    }
-    else
-    {
-      this->Encroach(proposal, entry.cell);
-    }
+    this->InsertOrEncroach(entry.cell);
   }
   return true;
 }
 
 bool
+DelaunayRefinementEngine::Impl::ApplyR2()
+{
+  return this->ApplyToCircumcenters(m_R2Queue, [this](IndexType cell, RefinementRule & rule) {
+    rule = RefinementRule::R2;
+    return m_Rules->FiresR2(cell);
+  });
+}
+
+bool
 DelaunayRefinementEngine::Impl::ApplyR4()
 {
-  DelaunayRefinementQueue::EntryType entry;
-  if (!m_R4Queue.Pop(m_Complex->GetTriangulation(), entry))
+  return this->ApplyToCircumcenters(m_R4Queue, [this](IndexType cell, RefinementRule & rule) {
+    rule = m_Rules->FiresR4(cell)         ? RefinementRule::R4
+           : m_Rules->FiresCellSize(cell) ? RefinementRule::CELL_SIZE
+                                          : RefinementRule::R4_PRIME;
+    return true;
+  });
+}
+
+bool
+DelaunayRefinementEngine::Impl::ApplyToCircumcenters(DelaunayRefinementBlockQueue &                   queue,
+                                                     const DelaunayRefinementCircumcenters::AskType & ask)
+{
+  using OutcomeEnum = DelaunayRefinementCircumcenters::OutcomeEnum;
+  if (!m_Circumcenters->Apply(queue, ask, m_Parameters.maximumNumberOfVertices))
   {
     return false;
   }
-  if (m_Rules->FiresR4(entry.cell))
+  const auto & triangulation = m_Complex->GetTriangulation();
+  for (const auto & item : m_Circumcenters->GetItems())
   {
-    this->InsertCircumcenter(RefinementRule::R4, entry.cell);
-  }
-  else if (m_Rules->FiresCellSize(entry.cell))
-  {
-    this->InsertCircumcenter(RefinementRule::CELL_SIZE, entry.cell);
-  }
-  else
-  {
-    this->InsertCircumcenter(RefinementRule::R4_PRIME, entry.cell);
+    m_NumberOfSteps += item.numberOfCells;
+    const bool isThere = triangulation.GetGeneration(item.entry.cell) == item.entry.generation;
+    switch (item.outcome)
+    {
+      case OutcomeEnum::NOTHING:
+        break;
+      case OutcomeEnum::INSERTED:
+        ++m_Statistics.insertions[static_cast<std::size_t>(item.rule)];
+        this->Queue(item.findings);
+        break;
+      case OutcomeEnum::LATER:
+        if (isThere)
+        {
+          queue.Push(triangulation, item.entry.cell);
+        }
+        break;
+      case OutcomeEnum::BEYOND:
+        if (isThere)
+        {
+          this->InsertOrEncroach(item.entry.cell);
+        }
+        break;
+      case OutcomeEnum::FULL:
+        m_Reason = TerminationReason::VERTEX_LIMIT;
+        break;
+    }
   }
   return true;
 }
 
 void
-DelaunayRefinementEngine::Impl::InsertCircumcenter(RefinementRule rule, IndexType cell)
+DelaunayRefinementEngine::Impl::InsertOrEncroach(IndexType cell)
 {
-  this->Insert(rule, m_Complex->Round(m_Complex->GetCircumcenter(cell)), VertexKind::FREE, 0.0, cell);
+  const PointType center = m_Complex->Round(m_Complex->GetCircumcenter(cell));
+  const auto      proposal = m_Encroachment->FindEncroachment(center);
+  if (proposal.which == EncroachmentCase::NONE)
+  {
+    this->Insert(RefinementRule::R2, center, VertexKind::FREE, 0.0, cell);
+  }
+  else
+  {
+    this->Encroach(proposal, cell);
+  }
 }
 
 void
@@ -474,7 +599,7 @@ DelaunayRefinementEngine::Impl::Insert(RefinementRule    rule,
     return vertex;
   }
   ++m_Statistics.insertions[static_cast<std::size_t>(rule)];
-  this->Examine(m_Complex->GetNewCells());
+  this->ExamineNewCells();
   if (kind == VertexKind::FEATURE && m_Complex->GetNumberOfVertices(VertexKind::FREE) > 0)
   {
     m_Complex->FindVerticesWithin(vertex, std::min(2.0 * delta, m_Parameters.cellSize), m_Found);
@@ -484,7 +609,7 @@ DelaunayRefinementEngine::Impl::Insert(RefinementRule    rule,
       {
         m_Complex->Remove(found);
         ++m_Statistics.removals;
-        this->Examine(m_Complex->GetNewCells());
+        this->ExamineNewCells();
       }
     }
   }
@@ -515,7 +640,7 @@ DelaunayRefinementEngine::Impl::Encroach(const DelaunayRefinementEncroachment::P
     {
       m_Complex->Remove(found);
       ++m_Statistics.encroachmentRemovals;
-      this->Examine(m_Complex->GetNewCells());
+      this->ExamineNewCells();
     }
   }
 }
@@ -527,25 +652,19 @@ DelaunayRefinementEngine::Impl::MendFlatTetrahedra()
   {
     return false;
   }
-  const auto &           triangulation = m_Complex->GetTriangulation();
   std::vector<IndexType> vertices;
-  for (IndexType cell = 0; cell < triangulation.GetNumberOfCellIndexes(); ++cell)
-  {
-    if (!triangulation.IsAlive(cell) || triangulation.IsInfinite(cell) || m_Complex->GetRegion(cell) == 0)
+  std::mutex             mutex;
+  this->VisitAllCells([&](IndexType cell) {
+    if (m_Complex->GetRegion(cell) != 0 && this->IsFlat(cell))
     {
-      continue;
-    }
-    const auto   p = m_Complex->GetPoints(cell);
-    const double squaredLongest = Geometry::ComputeSquaredLongestEdge(p[0], p[1], p[2], p[3]);
-    if (Geometry::Determinant(p[0], p[1], p[2], p[3]) <
-        6.0 * FlattestShape * squaredLongest * std::sqrt(squaredLongest))
-    {
-      const auto & v = triangulation.GetCell(cell).vertices;
+      const auto & v = m_Complex->GetTriangulation().GetCell(cell).vertices;
       const auto   isFree = [&](IndexType vertex) { return m_Complex->GetKind(vertex) == VertexKind::FREE; };
       const auto   free = std::find_if(v.begin(), v.end(), isFree);
+
+      const std::lock_guard<std::mutex> lock(mutex);
       vertices.push_back(free != v.end() ? *free : *std::max_element(v.begin(), v.end()));
     }
-  }
+  });
   if (vertices.empty())
   {
     return false;
@@ -558,6 +677,15 @@ DelaunayRefinementEngine::Impl::MendFlatTetrahedra()
     this->MoveVertex(vertex);
   }
   return true;
+}
+
+bool
+DelaunayRefinementEngine::Impl::IsFlat(IndexType cell) const
+{
+  const auto   p = m_Complex->GetPoints(cell);
+  const double squaredLongest = Geometry::ComputeSquaredLongestEdge(p[0], p[1], p[2], p[3]);
+  return Geometry::Determinant(p[0], p[1], p[2], p[3]) <
+         6.0 * FlattestShape * squaredLongest * std::sqrt(squaredLongest);
 }
 
 void
@@ -596,7 +724,7 @@ DelaunayRefinementEngine::Impl::MoveVertex(IndexType vertex)
     }
   }
   m_Complex->Remove(vertex);
-  this->Examine(m_Complex->GetNewCells());
+  this->ExamineNewCells();
   const IndexType hint = m_Complex->GetNewCells().front();
   if (this->Insert(RefinementRule::SHAPE, m_Complex->Round(moved), kind, delta, hint) ==
       DelaunayRefinementComplex::None)

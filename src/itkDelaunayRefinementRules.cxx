@@ -50,6 +50,34 @@ DelaunayRefinementRules::DelaunayRefinementRules(const DelaunayRefinementOracle 
   , m_LargestDihedralCosine(std::cos(parameters.minimumDihedralAngle * DegreesToRadians))
 {}
 
+void
+DelaunayRefinementRules::Examine(IndexType cell, unsigned int facets, std::vector<FindingType> & findings) const
+{
+  if (m_Complex.GetTriangulation().IsInfinite(cell))
+  {
+    return;
+  }
+  if (this->MayFireR2(cell))
+  {
+    // The object is in the box.
+    const bool isInBox =
+      m_Complex.GetRegion(cell) != 0 || m_Complex.IsStrictlyInsideBox(m_Complex.GetCircumcenter(cell));
+    findings.push_back({ isInBox ? RuleGroupEnum::R2 : RuleGroupEnum::ENCROACHMENT, cell, 0 });
+  }
+  if (this->FiresR4(cell) || this->FiresCellSize(cell) || this->FiresR4Prime(cell))
+  {
+    findings.push_back({ RuleGroupEnum::R4, cell, 0 });
+  }
+  for (unsigned int i = 0; i < 4; ++i)
+  {
+    PointType center;
+    if ((facets >> i & 1u) && this->MayFireR3(cell, i) && this->FiresR3(cell, i, center))
+    {
+      findings.push_back({ RuleGroupEnum::R3, cell, i });
+    }
+  }
+}
+
 double
 DelaunayRefinementRules::GetDeltaOfFeatures(const std::array<IndexType, 4> & vertices, unsigned int leftOut) const
 {

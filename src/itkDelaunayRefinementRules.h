@@ -38,6 +38,15 @@ public:
   using PointType = DelaunayRefinementPoint;
   using IndexType = DelaunayRefinementComplex::IndexType;
 
+  /** Rules that are asked, and have their turn, together. */
+  enum class RuleGroupEnum : uint8_t
+  {
+    R2,
+    ENCROACHMENT, // R2 with a circumcenter outside the box
+    R3,
+    R4 // the bound on cells' sizes and R4', too
+  };
+
   DelaunayRefinementRules(const DelaunayRefinementOracle &        oracle,
                           const DelaunayRefinementParameters &    parameters,
                           const DelaunayRefinementComplex &       complex,
@@ -83,6 +92,19 @@ public:
    * that it ends; here it fires only while new edges are at least a quarter of delta long. */
   bool
   FiresR4Prime(IndexType cell) const;
+
+  /** A rule that may fire, or that fires if there is nothing left to ask. */
+  struct FindingType
+  {
+    RuleGroupEnum which;
+    IndexType     cell;
+    unsigned int  facet;
+  };
+
+  /** Appends what is to be asked again, or to be done, for a new cell and those of its facets that have their bit set.
+   */
+  void
+  Examine(IndexType cell, unsigned int facets, std::vector<FindingType> & findings) const;
 
 private:
   /** The largest delta of the feature vertices of a cell, one left out; the largest of all if there is none. Where

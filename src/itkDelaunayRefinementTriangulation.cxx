@@ -17,9 +17,10 @@
  *=========================================================================*/
 #include "itkDelaunayRefinementTriangulation.h"
 
+#include "itkDelaunayRefinementBalls.h"
 #include "itkDelaunayRefinementPredicates.h"
 #include "itkDelaunayRefinementSpatialOrder.h"
-#include "itkDelaunayRefinementWideLoops.h"
+#include "itkDelaunayRefinementTriangulationScratch.h"
 
 #include <algorithm>
 #include <cassert>
@@ -34,15 +35,6 @@ using IndexType = DelaunayRefinementTriangulation::IndexType;
 
 constexpr std::size_t InsertionsBetweenQuestions = 4096;
 
-/** The vertices of the facet opposite to each vertex, counterclockwise as seen from that vertex. */
-constexpr unsigned int FacetVertices[4][3] = { { 1, 3, 2 }, { 0, 2, 3 }, { 0, 3, 1 }, { 0, 1, 2 } };
-
-/** Of finite cells that are flatter, or further from the origin for their size, the circumball decides nothing. Its
- * center is known to some 30 roundings times (longest edge)^3 / determinant of the radius, which leaves
- * DecidingShare a margin of ten. */
-constexpr double FlattestDeciding = 1e-6;
-constexpr double SmallestDeciding = 1e-7;
-
 /** Has memory fetched that will be read soon. */
 void
 Prefetch(const void * address)
@@ -53,101 +45,6 @@ Prefetch(const void * address)
   (void)address;
 #endif
 }
-
-/** The vertices of a facet in the same sense, the smallest first. */
-std::array<IndexType, 3>
-RotateSmallestFirst(std::array<IndexType, 3> facet)
-{
-  std::rotate(facet.begin(), std::min_element(facet.begin(), facet.end()), facet.end());
-  return facet;
-}
-
-/** The balls through the origin and three points u, v, w each, of several cells at once: one array for each number, so
- * that compilers do them together. */
-struct BallsType
-{
-  static constexpr std::size_t Size = 4;
-  using NumbersType = std::array<double, Size>;
-
-  std::array<NumbersType, 3> u;
-  std::array<NumbersType, 3> v;
-  std::array<NumbersType, 3> w;
-  std::array<NumbersType, 3> center;
-  /** Negative where they decide nothing. */
-  NumbersType signedSquaredRadius;
-
-  BallsType()
-  {
-    for (std::size_t i = 0; i < Size; ++i)
-    {
-      this->SetAny(i);
-    }
-  }
-
-  /** Something to compute with where there is no cell. */
-  void
-  SetAny(std::size_t i)
-  {
-    this->SetPoints(i, {}, { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 });
-  }
-
-  void
-  SetPoints(std::size_t i, const PointType & origin, const PointType & a, const PointType & b, const PointType & c)
-  {
-    for (unsigned int j = 0; j < 3; ++j)
-    {
-      u[j][i] = a[j] - origin[j];
-      v[j][i] = b[j] - origin[j];
-      w[j][i] = c[j] - origin[j];
-    }
-  }
-
-  ITK_DELAUNAY_REFINEMENT_WIDE_LOOPS
-  void
-  Compute(const PointType & origin)
-  {
-    const double far = SmallestDeciding * std::max({ std::abs(origin[0]), std::abs(origin[1]), std::abs(origin[2]) });
-    const double squaredFar = far * far;
-    for (std::size_t i = 0; i < Size; ++i)
-    {
-      const double ux = u[0][i];
-      const double uy = u[1][i];
-      const double uz = u[2][i];
-      const double vx = v[0][i];
-      const double vy = v[1][i];
-      const double vz = v[2][i];
-      const double wx = w[0][i];
-      const double wy = w[1][i];
-      const double wz = w[2][i];
-      const double vwX = vy * wz - vz * wy;
-      const double vwY = vz * wx - vx * wz;
-      const double vwZ = vx * wy - vy * wx;
-      const double uu = ux * ux + uy * uy + uz * uz;
-      const double vv = vx * vx + vy * vy + vz * vz;
-      const double ww = wx * wx + wy * wy + wz * wz;
-      const double determinant = ux * vwX + uy * vwY + uz * vwZ;
-      const double factor = 0.5 / determinant;
-      const double x = factor * (uu * vwX + vv * (wy * uz - wz * uy) + ww * (uy * vz - uz * vy));
-      const double y = factor * (uu * vwY + vv * (wz * ux - wx * uz) + ww * (uz * vx - ux * vz));
-      const double z = factor * (uu * vwZ + vv * (wx * uy - wy * ux) + ww * (ux * vy - uy * vx));
-      const double greater = uu > vv ? uu : vv;
-      const double greatest = greater > ww ? greater : ww;
-      const double flattest = FlattestDeciding * FlattestDeciding * greatest * greatest * greatest;
-      const double squaredRadius = x * x + y * y + z * z;
-      const double deciding = greatest > squaredFar ? squaredRadius : -squaredRadius;
-      center[0][i] = x;
-      center[1][i] = y;
-      center[2][i] = z;
-      signedSquaredRadius[i] = determinant * determinant > flattest ? deciding : -squaredRadius;
-    }
-  }
-
-  PointType
-  GetCenter(std::size_t i, const PointType & origin) const
-  {
-    return { origin[0] + center[0][i], origin[1] + center[1][i], origin[2] + center[2][i] };
-  }
-};
 
 /** The side of a point that is exactly on a circumsphere, once all points are moved by amounts that fall off quickly in
  * lexicographical order. */
@@ -176,11 +73,13 @@ IsInsidePerturbed(const std::array<const PointType *, 4> & tetrahedron, const Po
 } // namespace
 
 DelaunayRefinementTriangulation::DelaunayRefinementTriangulation()
-  : m_Matrix(MostVerticesOfMatrix * MostVerticesOfMatrix)
 {
+  this->SetNumberOfThreads(1);
   m_Points.push_back({});
   m_CellOfVertex.push_back(None);
 }
+
+DelaunayRefinementTriangulation::~DelaunayRefinementTriangulation() = default;
 
 bool
 DelaunayRefinementTriangulation::InsertMany(const std::vector<PointType> & points,
@@ -223,8 +122,14 @@ DelaunayRefinementTriangulation::InsertMany(const std::vector<PointType> & point
     {
       return false;
     }
-    this->MakeStar(order[i], this->FindConflict(m_Points[order[i]], m_CellOfVertex[last]));
-    last = order[i];
+    m_Star.vertex = order[i];
+    if (this->FindStar(m_Points[order[i]], m_CellOfVertex[last], m_Star, 0))
+    {
+      this->Take(m_Star);
+      this->Fill(m_Star, 0);
+      this->Finish(m_Star);
+      last = order[i];
+    }
   }
   m_NewCells.clear();
   for (IndexType cell = 0; cell < this->GetNumberOfCellIndexes(); ++cell)
@@ -238,23 +143,145 @@ DelaunayRefinementTriangulation::InsertMany(const std::vector<PointType> & point
   return true;
 }
 
-IndexType
-DelaunayRefinementTriangulation::Insert(const PointType & point, IndexType hint)
+void
+DelaunayRefinementTriangulation::SetNumberOfThreads(unsigned int numberOfThreads)
+{
+  while (m_Scratches.size() < numberOfThreads)
+  {
+    m_Scratches.push_back(std::make_unique<ScratchType>());
+  }
+}
+
+bool
+DelaunayRefinementTriangulation::FindStar(const PointType & point,
+                                          IndexType         hint,
+                                          StarType &        star,
+                                          unsigned int      thread) const
 {
   const IndexType start = this->FindConflict(point, hint);
   if (start == None)
   {
+    return false;
+  }
+  star.point = point;
+  this->FindCavity(start, star, *m_Scratches[thread]);
+  return true;
+}
+
+void
+DelaunayRefinementTriangulation::StartBatch()
+{
+  m_BatchMarks.resize(m_Cells.size(), 0);
+  ++m_NumberOfBatches;
+}
+
+bool
+DelaunayRefinementTriangulation::Reserve(StarType & star)
+{
+  // As long as no cell beyond one cavity is in another, no new cell of one star is in conflict with the other's vertex:
+  // cells in conflict are linked to each other by their facets. Cells beyond both are left alone by both.
+  const std::uint64_t changed = 2 * m_NumberOfBatches;
+  const std::uint64_t replaced = changed + 1;
+  const auto          isIn = [&](IndexType cell, std::uint64_t mark) { return m_BatchMarks[cell] >= mark; };
+  for (const IndexType cell : star.cavity)
+  {
+    if (isIn(cell, changed))
+    {
+      return false;
+    }
+  }
+  for (const BoundaryType & facet : star.boundary)
+  {
+    if (isIn(facet.beyond, replaced))
+    {
+      return false;
+    }
+  }
+  for (const IndexType cell : star.cavity)
+  {
+    m_BatchMarks[cell] = replaced;
+  }
+  for (const BoundaryType & facet : star.boundary)
+  {
+    m_BatchMarks[facet.beyond] = changed;
+  }
+  this->Take(star);
+  return true;
+}
+
+void
+DelaunayRefinementTriangulation::Take(StarType & star)
+{
+  if (star.vertex == None)
+  {
+    star.vertex = static_cast<IndexType>(m_Points.size());
+    m_Points.push_back(star.point);
+    m_CellOfVertex.push_back(None);
+  }
+  const std::size_t size = star.boundary.size();
+  star.cells.resize(size);
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    // Most of them take the places of cells that are gone.
+    if (i < star.cavity.size())
+    {
+      star.cells[i] = star.cavity[i];
+      m_Generations[star.cells[i]] += 2;
+    }
+    else
+    {
+      star.cells[i] = this->TakeCell();
+    }
+  }
+  for (std::size_t i = size; i < star.cavity.size(); ++i)
+  {
+    this->ReleaseCell(star.cavity[i]);
+  }
+}
+
+void
+DelaunayRefinementTriangulation::Fill(StarType & star, unsigned int thread)
+{
+  for (std::size_t i = 0; i < star.cells.size(); ++i)
+  {
+    const BoundaryType & facet = star.boundary[i];
+    CellType &           cell = m_Cells[star.cells[i]];
+    cell.vertices = facet.vertices;
+    cell.vertices[facet.slot] = star.vertex;
+    cell.neighbors[facet.slot] = facet.beyond;
+    m_Cells[facet.beyond].neighbors[facet.mirror] = star.cells[i];
+  }
+  this->LinkStar(star, *m_Scratches[thread]);
+  this->ComputeBallsOfStar(star);
+}
+
+void
+DelaunayRefinementTriangulation::Finish(const StarType & star)
+{
+  m_CellOfVertex[star.vertex] = star.cells.front();
+  for (const auto & [vertex, cell] : star.cellsOfVertices)
+  {
+    m_CellOfVertex[vertex] = cell;
+  }
+}
+
+IndexType
+DelaunayRefinementTriangulation::Insert(const PointType & point, IndexType hint)
+{
+  m_Star.vertex = None;
+  if (!this->FindStar(point, hint, m_Star, 0))
+  {
     return None;
   }
-  const auto vertex = static_cast<IndexType>(m_Points.size());
-  m_Points.push_back(point);
-  m_CellOfVertex.push_back(None);
-  this->MakeStar(vertex, start);
+  this->Take(m_Star);
+  this->Fill(m_Star, 0);
+  this->Finish(m_Star);
+  m_NewCells.assign(m_Star.cells.begin(), m_Star.cells.end());
   for (const IndexType cell : m_NewCells)
   {
     this->MendBall(cell);
   }
-  return vertex;
+  return m_Star.vertex;
 }
 
 void
@@ -388,7 +415,7 @@ DelaunayRefinementTriangulation::IsInConflictExactly(IndexType cell, const Point
 }
 
 void
-DelaunayRefinementTriangulation::AddBoundary(IndexType cell, unsigned int slot)
+DelaunayRefinementTriangulation::AddBoundary(IndexType cell, unsigned int slot, StarType & star) const
 {
   const IndexType beyond = m_Cells[cell].neighbors[slot];
   const auto &    neighbors = m_Cells[beyond].neighbors;
@@ -397,308 +424,129 @@ DelaunayRefinementTriangulation::AddBoundary(IndexType cell, unsigned int slot)
   {
     ++mirror;
   }
-  m_Boundary.push_back(
+  star.boundary.push_back(
     { m_Cells[cell].vertices, beyond, static_cast<std::uint8_t>(slot), static_cast<std::uint8_t>(mirror) });
 }
 
 void
-DelaunayRefinementTriangulation::FindCavity(const PointType & point, IndexType start)
+DelaunayRefinementTriangulation::FindCavity(IndexType start, StarType & star, ScratchType & scratch) const
 {
-  m_CellMarks.resize(m_Cells.size(), MarkEnum::NONE);
-  m_Cavity.assign(1, start);
-  m_Boundary.clear();
-  m_CellMarks[start] = MarkEnum::IN;
-  for (std::size_t i = 0; i < m_Cavity.size(); ++i)
+  using MarkEnum = ScratchType::MarkEnum;
+  scratch.cellMarks.resize(m_Cells.size(), MarkEnum::NONE);
+  MarkEnum * const       marks = scratch.cellMarks.data();
+  const CellType * const cells = m_Cells.data();
+  const PointType        point = star.point;
+  star.cavity.assign(1, start);
+  star.boundary.clear();
+  marks[start] = MarkEnum::IN;
+  for (std::size_t i = 0; i < star.cavity.size(); ++i)
   {
-    const IndexType cell = m_Cavity[i];
+    const IndexType cell = star.cavity[i];
     for (unsigned int slot = 0; slot < 4; ++slot)
     {
-      const IndexType neighbor = m_Cells[cell].neighbors[slot];
-      MarkEnum &      mark = m_CellMarks[neighbor];
-      if (mark == MarkEnum::IN)
+      const IndexType neighbor = cells[cell].neighbors[slot];
+      if (marks[neighbor] == MarkEnum::IN)
       {
         continue;
       }
-      if (mark == MarkEnum::NONE)
+      if (marks[neighbor] == MarkEnum::NONE)
       {
         if (this->IsInConflict(neighbor, point))
         {
-          mark = MarkEnum::IN;
-          m_Cavity.push_back(neighbor);
-          for (const IndexType next : m_Cells[neighbor].neighbors)
+          marks[neighbor] = MarkEnum::IN;
+          star.cavity.push_back(neighbor);
+          for (const IndexType next : cells[neighbor].neighbors)
           {
-            Prefetch(&m_Cells[next]);
+            Prefetch(&cells[next]);
           }
           continue;
         }
-        mark = MarkEnum::OUT;
+        marks[neighbor] = MarkEnum::OUT;
       }
-      this->AddBoundary(cell, slot);
+      this->AddBoundary(cell, slot, star);
     }
   }
-  this->ClearMarks();
+  scratch.ClearMarks(star);
 }
 
 void
-DelaunayRefinementTriangulation::ClearMarks()
-{
-  for (const IndexType cell : m_Cavity)
-  {
-    m_CellMarks[cell] = MarkEnum::NONE;
-  }
-  for (const BoundaryType & facet : m_Boundary)
-  {
-    m_CellMarks[facet.beyond] = MarkEnum::NONE;
-  }
-}
-
-void
-DelaunayRefinementTriangulation::MakeStar(IndexType vertex, IndexType start)
-{
-  this->FindCavity(m_Points[vertex], start);
-  const std::size_t size = m_Boundary.size();
-  m_NewCells.resize(size);
-  for (std::size_t i = 0; i < size; ++i)
-  {
-    // Most of them take the places of cells that are gone.
-    IndexType index;
-    if (i < m_Cavity.size())
-    {
-      index = m_Cavity[i];
-      m_Generations[index] += 2;
-    }
-    else
-    {
-      index = this->TakeCell();
-    }
-    const BoundaryType & facet = m_Boundary[i];
-    CellType &           cell = m_Cells[index];
-    cell.vertices = facet.vertices;
-    cell.vertices[facet.slot] = vertex;
-    cell.neighbors[facet.slot] = facet.beyond;
-    m_Cells[facet.beyond].neighbors[facet.mirror] = index;
-    m_NewCells[i] = index;
-  }
-  for (std::size_t i = size; i < m_Cavity.size(); ++i)
-  {
-    this->ReleaseCell(m_Cavity[i]);
-  }
-  m_CellOfVertex[vertex] = m_NewCells.front();
-  this->LinkStar();
-  this->ComputeBallsOfStar(vertex);
-}
-
-void
-DelaunayRefinementTriangulation::LinkStar()
+DelaunayRefinementTriangulation::LinkStar(StarType & star, ScratchType & scratch)
 {
   // The cavity's boundary is oriented: each of its edges is passed once in either direction.
-  m_VertexPlaces.resize(m_Points.size(), 0);
-  ++m_NumberOfStars;
-  std::uint32_t numberOfPlaces = 0;
-  m_FacetPlaces.resize(m_NewCells.size());
-  for (std::size_t i = 0; i < m_NewCells.size(); ++i)
+  constexpr auto mostVertices = ScratchType::MostVerticesOfMatrix;
+  scratch.vertexPlaces.resize(m_Points.size(), 0);
+  scratch.facetPlaces.resize(star.cells.size());
+  const std::uint64_t number = ++scratch.numberOfStars;
+  std::uint32_t       numberOfPlaces = 0;
+  // Euler: a sphere of n triangles has n / 2 + 2 vertices.
+  star.cellsOfVertices.resize(star.cells.size() / 2 + 2);
+  for (std::size_t i = 0; i < star.cells.size(); ++i)
   {
-    const IndexType index = m_NewCells[i];
-    const auto &    slots = FacetVertices[m_Boundary[i].slot];
-    const auto &    vertices = m_Boundary[i].vertices;
-    auto &          places = m_FacetPlaces[i];
+    const IndexType index = star.cells[i];
+    const auto &    slots = FacetVertices[star.boundary[i].slot];
+    const auto &    vertices = star.boundary[i].vertices;
+    auto &          places = scratch.facetPlaces[i];
     for (unsigned int j = 0; j < 3; ++j)
     {
       const IndexType vertex = vertices[slots[j]];
-      std::uint64_t & place = m_VertexPlaces[vertex];
-      if (place >> 32 != m_NumberOfStars)
+      std::uint64_t & place = scratch.vertexPlaces[vertex];
+      if (place >> 32 != number)
       {
-        place = static_cast<std::uint64_t>(m_NumberOfStars) << 32 | numberOfPlaces++;
-        m_CellOfVertex[vertex] = index;
+        star.cellsOfVertices[numberOfPlaces] = { vertex, index };
+        place = number << 32 | numberOfPlaces++;
       }
       places[j] = static_cast<std::uint32_t>(place);
     }
-    if (numberOfPlaces <= MostVerticesOfMatrix)
+    if (numberOfPlaces <= mostVertices)
     {
-      m_Matrix[places[0] * MostVerticesOfMatrix + places[1]] = index;
-      m_Matrix[places[1] * MostVerticesOfMatrix + places[2]] = index;
-      m_Matrix[places[2] * MostVerticesOfMatrix + places[0]] = index;
+      scratch.matrix[places[0] * mostVertices + places[1]] = index;
+      scratch.matrix[places[1] * mostVertices + places[2]] = index;
+      scratch.matrix[places[2] * mostVertices + places[0]] = index;
     }
   }
-  if (numberOfPlaces > MostVerticesOfMatrix)
+  if (numberOfPlaces > mostVertices)
   {
-    this->LinkLargeStar();
+    this->LinkLargeStar(star, scratch);
     return;
   }
-  for (std::size_t i = 0; i < m_NewCells.size(); ++i)
+  for (std::size_t i = 0; i < star.cells.size(); ++i)
   {
-    const auto & slots = FacetVertices[m_Boundary[i].slot];
-    const auto & places = m_FacetPlaces[i];
-    auto &       neighbors = m_Cells[m_NewCells[i]].neighbors;
-    neighbors[slots[2]] = m_Matrix[places[1] * MostVerticesOfMatrix + places[0]];
-    neighbors[slots[0]] = m_Matrix[places[2] * MostVerticesOfMatrix + places[1]];
-    neighbors[slots[1]] = m_Matrix[places[0] * MostVerticesOfMatrix + places[2]];
+    const auto & slots = FacetVertices[star.boundary[i].slot];
+    const auto & places = scratch.facetPlaces[i];
+    auto &       neighbors = m_Cells[star.cells[i]].neighbors;
+    neighbors[slots[2]] = scratch.matrix[places[1] * mostVertices + places[0]];
+    neighbors[slots[0]] = scratch.matrix[places[2] * mostVertices + places[1]];
+    neighbors[slots[1]] = scratch.matrix[places[0] * mostVertices + places[2]];
   }
 }
 
 void
-DelaunayRefinementTriangulation::LinkLargeStar()
+DelaunayRefinementTriangulation::LinkLargeStar(const StarType & star, ScratchType & scratch)
 {
-  m_SharedEdges.clear();
-  for (std::size_t i = 0; i < m_NewCells.size(); ++i)
+  auto & sharedEdges = scratch.sharedEdges;
+  sharedEdges.clear();
+  for (std::size_t i = 0; i < star.cells.size(); ++i)
   {
-    const auto & slots = FacetVertices[m_Boundary[i].slot];
-    const auto & vertices = m_Cells[m_NewCells[i]].vertices;
+    const auto & slots = FacetVertices[star.boundary[i].slot];
+    const auto & vertices = star.boundary[i].vertices;
     for (unsigned int j = 0; j < 3; ++j)
     {
       const auto ends = std::minmax(vertices[slots[j]], vertices[slots[(j + 1) % 3]]);
-      m_SharedEdges.push_back({ static_cast<std::uint64_t>(ends.first) << 32 | ends.second,
-                                m_NewCells[i],
-                                static_cast<std::uint8_t>(slots[(j + 2) % 3]) });
+      sharedEdges.push_back({ static_cast<std::uint64_t>(ends.first) << 32 | ends.second,
+                              star.cells[i],
+                              static_cast<std::uint8_t>(slots[(j + 2) % 3]) });
     }
   }
-  std::sort(m_SharedEdges.begin(), m_SharedEdges.end(), [](const SharedEdgeType & a, const SharedEdgeType & b) {
+  using SharedEdgeType = ScratchType::SharedEdgeType;
+  std::sort(sharedEdges.begin(), sharedEdges.end(), [](const SharedEdgeType & a, const SharedEdgeType & b) {
     return a.vertices < b.vertices;
   });
-  for (std::size_t i = 0; i + 1 < m_SharedEdges.size(); i += 2)
+  for (std::size_t i = 0; i + 1 < sharedEdges.size(); i += 2)
   {
-    const SharedEdgeType & one = m_SharedEdges[i];
-    const SharedEdgeType & other = m_SharedEdges[i + 1];
+    const SharedEdgeType & one = sharedEdges[i];
+    const SharedEdgeType & other = sharedEdges[i + 1];
     m_Cells[one.cell].neighbors[one.slot] = other.cell;
     m_Cells[other.cell].neighbors[other.slot] = one.cell;
-  }
-}
-
-void
-DelaunayRefinementTriangulation::FindStar(IndexType vertex)
-{
-  m_CellMarks.resize(m_Cells.size(), MarkEnum::NONE);
-  m_Boundary.clear();
-  m_Cavity.assign(1, m_CellOfVertex[vertex]);
-  m_CellMarks[m_Cavity.front()] = MarkEnum::IN;
-  for (std::size_t i = 0; i < m_Cavity.size(); ++i)
-  {
-    const IndexType cell = m_Cavity[i];
-    for (unsigned int slot = 0; slot < 4; ++slot)
-    {
-      const IndexType neighbor = m_Cells[cell].neighbors[slot];
-      if (m_Cells[cell].vertices[slot] == vertex)
-      {
-        this->AddBoundary(cell, slot);
-      }
-      else if (m_CellMarks[neighbor] != MarkEnum::IN)
-      {
-        m_CellMarks[neighbor] = MarkEnum::IN;
-        m_Cavity.push_back(neighbor);
-      }
-    }
-  }
-  this->ClearMarks();
-}
-
-DelaunayRefinementTriangulation::OrientedFacetType
-DelaunayRefinementTriangulation::GetOrientedFacet(IndexType cell, unsigned int slot) const
-{
-  const auto & v = m_Cells[cell].vertices;
-  const auto & slots = FacetVertices[slot];
-  return { RotateSmallestFirst({ v[slots[0]], v[slots[1]], v[slots[2]] }), cell, static_cast<std::uint8_t>(slot) };
-}
-
-void
-DelaunayRefinementTriangulation::Remove(IndexType vertex)
-{
-  // The cells that fill the hole are those of the triangulation of the vertices around it.
-  this->FindStar(vertex);
-  std::vector<IndexType> around{ InfiniteVertex };
-  for (const BoundaryType & facet : m_Boundary)
-  {
-    for (const unsigned int slot : FacetVertices[facet.slot])
-    {
-      around.push_back(facet.vertices[slot]);
-    }
-  }
-  std::sort(around.begin(), around.end());
-  around.erase(std::unique(around.begin(), around.end()), around.end());
-  std::vector<PointType> points;
-  for (std::size_t i = 1; i < around.size(); ++i)
-  {
-    points.push_back(m_Points[around[i]]);
-  }
-  DelaunayRefinementTriangulation filler;
-  filler.InsertMany(points, [] { return true; });
-  const auto toLocal = [&around](IndexType global) {
-    return static_cast<IndexType>(std::lower_bound(around.begin(), around.end(), global) - around.begin());
-  };
-
-  std::vector<OrientedFacetType> facets;
-  for (const IndexType cell : filler.m_NewCells)
-  {
-    for (unsigned int slot = 0; slot < 4; ++slot)
-    {
-      facets.push_back(filler.GetOrientedFacet(cell, slot));
-    }
-  }
-  std::sort(facets.begin(), facets.end());
-
-  constexpr IndexType                   unknown = None;
-  std::vector<IndexType>                globals(filler.m_Cells.size(), unknown);
-  std::vector<std::array<IndexType, 4>> beyond(filler.m_Cells.size(), { unknown, unknown, unknown, unknown });
-  std::vector<IndexType>                filling;
-  for (std::size_t i = 0; i < m_Boundary.size(); ++i)
-  {
-    const auto &            v = m_Boundary[i].vertices;
-    const auto &            slots = FacetVertices[m_Boundary[i].slot];
-    const OrientedFacetType wanted{
-      RotateSmallestFirst({ toLocal(v[slots[0]]), toLocal(v[slots[1]]), toLocal(v[slots[2]]) }), unknown, 0
-    };
-    const auto found = std::lower_bound(facets.begin(), facets.end(), wanted);
-    assert(found != facets.end() && found->vertices == wanted.vertices);
-    beyond[found->cell][found->slot] = static_cast<IndexType>(i);
-    if (globals[found->cell] == unknown)
-    {
-      globals[found->cell] = 0;
-      filling.push_back(found->cell);
-    }
-  }
-  for (std::size_t i = 0; i < filling.size(); ++i)
-  {
-    for (unsigned int slot = 0; slot < 4; ++slot)
-    {
-      const IndexType neighbor = filler.m_Cells[filling[i]].neighbors[slot];
-      if (beyond[filling[i]][slot] == unknown && globals[neighbor] == unknown)
-      {
-        globals[neighbor] = 0;
-        filling.push_back(neighbor);
-      }
-    }
-  }
-
-  for (const IndexType cell : m_Cavity)
-  {
-    this->ReleaseCell(cell);
-  }
-  m_CellOfVertex[vertex] = None;
-  m_NewCells.clear();
-  for (const IndexType local : filling)
-  {
-    globals[local] = this->TakeCell();
-    m_NewCells.push_back(globals[local]);
-  }
-  for (const IndexType local : filling)
-  {
-    CellType & cell = m_Cells[globals[local]];
-    for (unsigned int slot = 0; slot < 4; ++slot)
-    {
-      cell.vertices[slot] = around[filler.m_Cells[local].vertices[slot]];
-      if (beyond[local][slot] == unknown)
-      {
-        cell.neighbors[slot] = globals[filler.m_Cells[local].neighbors[slot]];
-      }
-      else
-      {
-        const BoundaryType & facet = m_Boundary[beyond[local][slot]];
-        cell.neighbors[slot] = facet.beyond;
-        m_Cells[facet.beyond].neighbors[facet.mirror] = globals[local];
-      }
-    }
-    this->UpdateCellOfVertices(globals[local]);
-    this->ComputeBall(globals[local]);
-    this->MendBall(globals[local]);
   }
 }
 
@@ -738,18 +586,18 @@ DelaunayRefinementTriangulation::UpdateCellOfVertices(IndexType cell)
 }
 
 void
-DelaunayRefinementTriangulation::ComputeBallsOfStar(IndexType vertex)
+DelaunayRefinementTriangulation::ComputeBallsOfStar(const StarType & star)
 {
-  const PointType & origin = m_Points[vertex];
-  BallsType         balls;
-  for (std::size_t first = 0; first < m_NewCells.size(); first += BallsType::Size)
+  const PointType &       origin = star.point;
+  DelaunayRefinementBalls balls;
+  for (std::size_t first = 0; first < star.cells.size(); first += DelaunayRefinementBalls::Size)
   {
-    const std::size_t size = std::min(BallsType::Size, m_NewCells.size() - first);
+    const std::size_t size = std::min(DelaunayRefinementBalls::Size, star.cells.size() - first);
     for (std::size_t i = 0; i < size; ++i)
     {
-      const BoundaryType & facet = m_Boundary[first + i];
+      const BoundaryType & facet = star.boundary[first + i];
       const auto &         slots = FacetVertices[facet.slot];
-      if (this->IsInfinite(m_NewCells[first + i]))
+      if (this->IsInfinite(star.cells[first + i]))
       {
         balls.SetAny(i);
         continue;
@@ -763,10 +611,10 @@ DelaunayRefinementTriangulation::ComputeBallsOfStar(IndexType vertex)
     balls.Compute(origin);
     for (std::size_t i = 0; i < size; ++i)
     {
-      CellType & cell = m_Cells[m_NewCells[first + i]];
+      CellType & cell = m_Cells[star.cells[first + i]];
       cell.center = balls.GetCenter(i, origin);
-      cell.signedSquaredRadius = balls.signedSquaredRadius[i];
-      if (this->IsInfinite(m_NewCells[first + i]))
+      cell.signedSquaredRadius = balls.GetSignedSquaredRadius(i);
+      if (this->IsInfinite(star.cells[first + i]))
       {
         cell.center = {};
         cell.signedSquaredRadius = 0.0;
@@ -783,12 +631,12 @@ DelaunayRefinementTriangulation::ComputeBall(IndexType index)
   cell.signedSquaredRadius = 0.0;
   if (!this->IsInfinite(index))
   {
-    const PointType & origin = m_Points[cell.vertices[0]];
-    BallsType         balls;
+    const PointType &       origin = m_Points[cell.vertices[0]];
+    DelaunayRefinementBalls balls;
     balls.SetPoints(0, origin, m_Points[cell.vertices[1]], m_Points[cell.vertices[2]], m_Points[cell.vertices[3]]);
     balls.Compute(origin);
     cell.center = balls.GetCenter(0, origin);
-    cell.signedSquaredRadius = balls.signedSquaredRadius[0];
+    cell.signedSquaredRadius = balls.GetSignedSquaredRadius(0);
   }
 }
 

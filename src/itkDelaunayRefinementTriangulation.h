@@ -21,6 +21,9 @@
 #include "itkDelaunayRefinementGeometry.h"
 #include "itkDelaunayRefinementMemory.h"
 
+#include <memory>
+#include <utility>
+
 namespace itk
 {
 /** \class DelaunayRefinementTriangulation
@@ -54,7 +57,29 @@ public:
     double signedSquaredRadius;
   };
 
+  /** A facet on the boundary of a cavity: facet \c slot of a cell in it, the cell beyond it, and that one's facet. */
+  struct BoundaryType
+  {
+    std::array<IndexType, 4> vertices;
+    IndexType                beyond;
+    std::uint8_t             slot;
+    std::uint8_t             mirror;
+  };
+
+  /** A vertex and what its insertion changes: the cells that go, and those that come, one for each facet of the
+   * boundary. */
+  struct StarType
+  {
+    IndexType                                    vertex{ None };
+    PointType                                    point{};
+    std::vector<IndexType>                       cavity{};
+    std::vector<BoundaryType>                    boundary{};
+    std::vector<IndexType>                       cells{};
+    std::vector<std::pair<IndexType, IndexType>> cellsOfVertices{}; // of the vertices around
+  };
+
   DelaunayRefinementTriangulation();
+  ~DelaunayRefinementTriangulation();
 
   /** Inserts the first points, at least four that are not coplanar and none twice, in an order of its own. Point i
    * becomes vertex i + 1. False if \c keepGoing, asked now and then, said so; the triangulation is of no use then. */
@@ -66,11 +91,41 @@ public:
   IndexType
   Insert(const PointType & point, IndexType hint);
 
+  /** Makes room for threads that work on stars, by numbers below this one. */
+  void
+  SetNumberOfThreads(unsigned int numberOfThreads);
+
+  /** Insertion step by step, for several points at a time. Finds what an insertion near \c hint would change; false if
+   * the point is a vertex already. Other threads may do the same. The star's vertex is up to the caller. */
+  bool
+  FindStar(const PointType & point, IndexType hint, StarType & star, unsigned int thread) const;
+
+  /** Stars reserved from here on are apart from each other. */
+  void
+  StartBatch();
+
+  /** Takes cells for a star, and a vertex if it has None; false if it is not apart from others of the batch, and
+   * nothing was taken. */
+  bool
+  Reserve(StarType & star);
+
+  /** Makes the cells of a reserved star. Other threads may make those of others. */
+  void
+  Fill(StarType & star, unsigned int thread);
+
+  /** The end of an insertion, once all stars of the batch are filled. */
+  void
+  Finish(const StarType & star);
+
+  /** Makes the circumball of a new cell as good as can be; InsertMany(), Insert() and Remove() do. */
+  void
+  MendBall(IndexType cell);
+
   /** Removes a vertex that is no corner of the convex hull; its index is not used again. */
   void
   Remove(IndexType vertex);
 
-  /** The cells that the last call made. */
+  /** The cells that the last call of InsertMany(), Insert() or Remove() made. */
   const DelaunayRefinementArray<IndexType> &
   GetNewCells() const
   {
@@ -148,31 +203,6 @@ public:
   IsValid() const;
 
 private:
-  /** A facet on the boundary of a cavity: facet \c slot of a cell in it, the cell beyond it, and that one's facet. */
-  struct BoundaryType
-  {
-    std::array<IndexType, 4> vertices;
-    IndexType                beyond;
-    std::uint8_t             slot;
-    std::uint8_t             mirror;
-  };
-
-  /** Of cells that the search for a cavity has seen. */
-  enum class MarkEnum : uint8_t
-  {
-    NONE,
-    IN,
-    OUT
-  };
-
-  /** Two cells of a star meet in an edge of the cavity's boundary. */
-  struct SharedEdgeType
-  {
-    std::uint64_t vertices;
-    IndexType     cell;
-    std::uint8_t  slot;
-  };
-
   /** A facet by its vertices in the order that its cell sees, the smallest first. */
   struct OrientedFacetType
   {
@@ -218,26 +248,27 @@ private:
   bool
   IsInConflictExactly(IndexType cell, const PointType & point) const;
 
-  /** Replaces all cells in conflict with a vertex, \c start among them, by its star. */
+  class ScratchType;
+
+  /** The cells in conflict with a star's point, \c start among them. */
   void
-  MakeStar(IndexType vertex, IndexType start);
+  FindCavity(IndexType start, StarType & star, ScratchType & scratch) const;
+
+  /** Takes cells for a star, and a vertex if it has none. */
+  void
+  Take(StarType & star);
 
   void
-  FindCavity(const PointType & point, IndexType start);
+  LinkStar(StarType & star, ScratchType & scratch);
+  void
+  LinkLargeStar(const StarType & star, ScratchType & scratch);
+
+  /** The cells of a vertex. */
+  void
+  FindCellsOfVertex(IndexType vertex, StarType & star);
 
   void
-  ClearMarks();
-
-  void
-  LinkStar();
-  void
-  LinkLargeStar();
-
-  void
-  FindStar(IndexType vertex);
-
-  void
-  AddBoundary(IndexType cell, unsigned int slot);
+  AddBoundary(IndexType cell, unsigned int slot, StarType & star) const;
 
   using CornersType = std::array<const PointType *, 4>;
 
@@ -262,18 +293,15 @@ private:
   void
   ComputeBall(IndexType cell);
 
-  /** ComputeBall() of the cells that MakeStar() made. */
+  /** ComputeBall() of the cells of a star. */
   void
-  ComputeBallsOfStar(IndexType vertex);
+  ComputeBallsOfStar(const StarType & star);
 
-  /** Exactly where ComputeBall() could not. */
-  void
-  MendBall(IndexType cell);
+  /** The vertices of the facet opposite to each vertex, counterclockwise as seen from that vertex. */
+  static constexpr unsigned int FacetVertices[4][3] = { { 1, 3, 2 }, { 0, 2, 3 }, { 0, 3, 1 }, { 0, 1, 2 } };
 
   /** Relative difference of squared distances that decides against a circumball known well enough. */
   static constexpr double DecidingShare = 1e-7;
-
-  static constexpr unsigned int MostVerticesOfMatrix = 64;
 
   DelaunayRefinementArray<PointType>     m_Points{};
   DelaunayRefinementArray<IndexType>     m_CellOfVertex{};
@@ -282,15 +310,12 @@ private:
   DelaunayRefinementArray<IndexType>     m_FreeCells{};
   DelaunayRefinementArray<IndexType>     m_NewCells{};
 
-  // Scratch of single calls.
-  std::vector<IndexType>                    m_Cavity{};
-  std::vector<BoundaryType>                 m_Boundary{};
-  DelaunayRefinementArray<MarkEnum>         m_CellMarks{}; // NONE between calls
-  DelaunayRefinementArray<std::uint64_t>    m_VertexPlaces{};
-  std::uint32_t                             m_NumberOfStars{ 0 };
-  std::vector<IndexType>                    m_Matrix{};
-  std::vector<std::array<std::uint32_t, 3>> m_FacetPlaces{};
-  std::vector<SharedEdgeType>               m_SharedEdges{};
+  /** Twice the number of the last batch that changed a cell's neighbors, one more if it replaced the cell. */
+  DelaunayRefinementArray<std::uint64_t> m_BatchMarks{};
+  std::uint64_t                          m_NumberOfBatches{ 0 };
+
+  StarType                                  m_Star{}; // of single insertions
+  std::vector<std::unique_ptr<ScratchType>> m_Scratches{};
 };
 } // end namespace itk
 

@@ -91,6 +91,40 @@ IsEmpty(const itk::DelaunayRefinementResult & result)
 }
 } // namespace
 
+TEST(DelaunayRefinementEngine, SameMeshOnAnyNumberOfThreads)
+{
+  struct CaseType
+  {
+    double delta;
+    bool   refineOutside;
+    double minimumDihedralAngle;
+    double cellSize;
+  };
+  const TorusOracle torus(origin, 10.0, 4.0);
+  const double      unbounded = std::numeric_limits<double>::infinity();
+  for (const CaseType & test : { CaseType{ 0.7, false, 0.0, unbounded },
+                                 CaseType{ 1.0, true, 0.0, unbounded },
+                                 CaseType{ 1.0, false, 8.0, unbounded },
+                                 CaseType{ 1.2, false, 0.0, 0.5 } })
+  {
+    const auto makeHash = [&](unsigned int numberOfThreads) {
+      auto parameters = MakeParameters(test.delta);
+      parameters.refineOutside = test.refineOutside;
+      parameters.minimumDihedralAngle = test.minimumDihedralAngle;
+      parameters.cellSize = test.cellSize;
+      parameters.numberOfThreads = numberOfThreads;
+      const EngineRun run = RunEngine(torus, parameters);
+      ExpectCompleted(run);
+      return ComputeHash(run.result);
+    };
+    const std::uint64_t hash = makeHash(1);
+    for (const unsigned int numberOfThreads : { 2u, 3u, 7u })
+    {
+      EXPECT_EQ(makeHash(numberOfThreads), hash) << numberOfThreads << " threads, delta " << test.delta;
+    }
+  }
+}
+
 TEST(DelaunayRefinementEngine, SameMeshTwice)
 {
   // The torus needs most rules; symmetric sheets have flat tetrahedra, which are mended by chance.

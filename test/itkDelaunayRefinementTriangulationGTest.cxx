@@ -17,6 +17,7 @@
  *=========================================================================*/
 // The triangulation against CGAL's, which knows nothing of it: the same cells, degenerate points included.
 
+#include "itkDelaunayRefinementThreads.h"
 #include "itkDelaunayRefinementTriangulation.h"
 
 #include <CGAL/Delaunay_triangulation_3.h>
@@ -216,6 +217,57 @@ TEST_P(DelaunayRefinementTriangulation, InsertOneByOneMakesTheCellsOfTheWitness)
   {
     EXPECT_EQ(triangulation.Insert(point, triangulation.GetNewCells().front()), TriangulationType::None);
   }
+}
+
+TEST_P(DelaunayRefinementTriangulation, InsertInBatchesMakesTheCellsOfTheWitness)
+{
+  std::vector<PointType> points = GetParam().points;
+  std::shuffle(points.begin(), points.end(), std::mt19937(1));
+  const auto                     half = static_cast<std::ptrdiff_t>(points.size() / 2);
+  std::vector<PointType>         left(points.begin() + half, points.end());
+  constexpr unsigned int         numberOfThreads = 3;
+  itk::DelaunayRefinementThreads threads(numberOfThreads);
+  TriangulationType              triangulation;
+  ASSERT_TRUE(triangulation.InsertMany({ points.begin(), points.begin() + half }, keepGoing));
+  triangulation.SetNumberOfThreads(numberOfThreads);
+  std::size_t numberOfReservations = 0;
+  std::size_t numberOfBatches = 0;
+  while (!left.empty())
+  {
+    // All that are left at once, so that most of them meet others.
+    std::vector<TriangulationType::StarType> stars(left.size());
+    threads.Run(left.size(), [&](std::size_t i, unsigned int thread) {
+      EXPECT_TRUE(triangulation.FindStar(left[i], triangulation.GetCellOfVertex(1), stars[i], thread));
+    });
+    triangulation.StartBatch();
+    std::vector<std::size_t> reserved;
+    std::vector<PointType>   later;
+    for (std::size_t i = 0; i < left.size(); ++i)
+    {
+      if (triangulation.Reserve(stars[i]))
+      {
+        reserved.push_back(i);
+      }
+      else
+      {
+        later.push_back(left[i]);
+      }
+    }
+    ASSERT_FALSE(reserved.empty());
+    threads.Run(reserved.size(),
+                [&](std::size_t i, unsigned int thread) { triangulation.Fill(stars[reserved[i]], thread); });
+    for (const std::size_t i : reserved)
+    {
+      triangulation.Finish(stars[i]);
+    }
+    numberOfReservations += reserved.size();
+    ++numberOfBatches;
+    left.swap(later);
+  }
+  EXPECT_EQ(numberOfReservations, points.size() - static_cast<std::size_t>(half));
+  EXPECT_LT(2 * numberOfBatches, numberOfReservations);
+  EXPECT_TRUE(triangulation.IsValid());
+  ExpectSameAsWitness(triangulation);
 }
 
 TEST_P(DelaunayRefinementTriangulation, RemoveLeavesTheCellsOfTheWitness)

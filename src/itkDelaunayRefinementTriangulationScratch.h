@@ -1,0 +1,72 @@
+/*=========================================================================
+ *
+ *  Copyright The DelaunayRefinement Contributors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkDelaunayRefinementTriangulationScratch_h
+#define itkDelaunayRefinementTriangulationScratch_h
+
+#include "itkDelaunayRefinementTriangulation.h"
+
+// Shared by the sources of the triangulation alone.
+
+namespace itk
+{
+/** \class DelaunayRefinementTriangulation::ScratchType
+ * \brief Marks of cells and vertices, and what links the cells of a star. */
+class DelaunayRefinementTriangulation::ScratchType
+{
+public:
+  static constexpr unsigned int MostVerticesOfMatrix = 64;
+
+  /** Of cells that the search for a cavity has seen. */
+  enum class MarkEnum : std::uint8_t
+  {
+    NONE,
+    IN,
+    OUT
+  };
+
+  /** Two cells of a star meet in an edge of the cavity's boundary. */
+  struct SharedEdgeType
+  {
+    std::uint64_t vertices;
+    IndexType     cell;
+    std::uint8_t  slot;
+  };
+
+  void
+  ClearMarks(const StarType & star)
+  {
+    for (const IndexType cell : star.cavity)
+    {
+      cellMarks[cell] = MarkEnum::NONE;
+    }
+    for (const BoundaryType & facet : star.boundary)
+    {
+      cellMarks[facet.beyond] = MarkEnum::NONE;
+    }
+  }
+
+  DelaunayRefinementArray<MarkEnum>      cellMarks{}; // NONE between calls
+  DelaunayRefinementArray<std::uint64_t> vertexPlaces{};
+  std::uint32_t                          numberOfStars{ 0 };
+  std::vector<IndexType>                 matrix = std::vector<IndexType>(MostVerticesOfMatrix * MostVerticesOfMatrix);
+  std::vector<std::array<std::uint32_t, 3>> facetPlaces{};
+  std::vector<SharedEdgeType>               sharedEdges{};
+};
+} // end namespace itk
+
+#endif
