@@ -171,7 +171,7 @@ DelaunayRefinementTriangulation::FindStar(const PointType & point,
 void
 DelaunayRefinementTriangulation::StartBatch()
 {
-  m_BatchMarks.resize(m_Cells.size(), 0);
+  m_Batches.resize(m_Cells.size(), 0);
   ++m_NumberOfBatches;
 }
 
@@ -180,30 +180,18 @@ DelaunayRefinementTriangulation::Reserve(StarType & star)
 {
   // As long as no cell beyond one cavity is in another, no new cell of one star is in conflict with the other's vertex:
   // cells in conflict are linked to each other by their facets. Cells beyond both are left alone by both.
-  const std::uint64_t changed = 2 * m_NumberOfBatches;
-  const std::uint64_t replaced = changed + 1;
-  const auto          isIn = [&](IndexType cell, std::uint64_t mark) { return m_BatchMarks[cell] >= mark; };
-  for (const IndexType cell : star.cavity)
+  const auto isInBatch = [this](IndexType cell) { return m_Batches[cell] == m_NumberOfBatches; };
+  if (std::any_of(star.cavity.begin(), star.cavity.end(), isInBatch))
   {
-    if (isIn(cell, changed))
-    {
-      return false;
-    }
-  }
-  for (const BoundaryType & facet : star.boundary)
-  {
-    if (isIn(facet.beyond, replaced))
-    {
-      return false;
-    }
+    return false;
   }
   for (const IndexType cell : star.cavity)
   {
-    m_BatchMarks[cell] = replaced;
+    m_Batches[cell] = m_NumberOfBatches;
   }
   for (const BoundaryType & facet : star.boundary)
   {
-    m_BatchMarks[facet.beyond] = changed;
+    m_Batches[facet.beyond] = m_NumberOfBatches;
   }
   this->Take(star);
   return true;

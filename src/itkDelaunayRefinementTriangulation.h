@@ -310,9 +310,9 @@ private:
   DelaunayRefinementArray<IndexType>     m_FreeCells{};
   DelaunayRefinementArray<IndexType>     m_NewCells{};
 
-  /** Twice the number of the last batch that changed a cell's neighbors, one more if it replaced the cell. */
-  DelaunayRefinementArray<std::uint64_t> m_BatchMarks{};
-  std::uint64_t                          m_NumberOfBatches{ 0 };
+  /** The number of the last batch that replaced each cell, or one beside it. */
+  DelaunayRefinementArray<std::uint32_t> m_Batches{};
+  std::uint32_t                          m_NumberOfBatches{ 0 };
 
   StarType                                  m_Star{}; // of single insertions
   std::vector<std::unique_ptr<ScratchType>> m_Scratches{};
