@@ -50,6 +50,10 @@ namespace itk
  * Delta (mm) is the sampling density of the surface: no surface point is farther than Delta from a vertex on the
  * surface. Every other parameter has a default that suits most images.
  *
+ * \par Threads
+ * As many as NumberOfWorkUnits says, at most those that the MultiThreader has. The mesh is the same for any number, bit
+ * for bit. The interpolator is asked by several threads at once, as ITK's own may be.
+ *
  * \par Errors
  * An ExceptionObject says what to change: no object, NaN in the image, a singular direction, labels that are not in
  * the image, several labels without a choice, parameters that contradict each other or are out of range, a mesh that

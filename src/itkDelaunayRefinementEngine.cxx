@@ -47,6 +47,9 @@ using VertexKind = DelaunayRefinementEnums::VertexKind;
 /** The box keeps a little more than the distance from the surface that the proof of Lemma 2 needs. */
 constexpr double BoxDistance = 2.8284271247461903 * 1.001;
 
+/** More have nothing to do in a batch of insertions. */
+constexpr unsigned int MostThreads = 16;
+
 /** Insertions between two calls of the progress callback. */
 constexpr unsigned int ProgressInterval = 256;
 
@@ -69,7 +72,7 @@ public:
     : m_Oracle(oracle)
     , m_Parameters(parameters)
     , m_LocalDelta(oracle, parameters)
-    , m_Threads(parameters.numberOfThreads)
+    , m_Threads(std::min(parameters.numberOfThreads, MostThreads))
     , m_R2Queue(oracle.GetSurfaceBounds().minimum, oracle.GetSurfaceBounds().maximum)
     , m_R4Queue(oracle.GetSurfaceBounds().minimum, oracle.GetSurfaceBounds().maximum)
   {}

@@ -276,8 +276,10 @@ TEST_F(CommandResult, TheSameBytesTwice)
 {
   this->Run(MakeBall(), { "--delta", "2" });
   const std::string first = ReadBytes(m_Output);
-  this->Run(MakeBall(), { "--delta", "2", "--threads", "1" });
-  EXPECT_EQ(ReadBytes(m_Output), first);
-  this->Run(MakeBall(), { "--delta", "2", "--threads", "2" });
+  for (const char * const threads : { "1", "2", "5" })
+  {
+    this->Run(MakeBall(), { "--delta", "2", "--threads", threads });
+    EXPECT_EQ(ReadBytes(m_Output), first) << threads;
+  }
 }
 } // namespace

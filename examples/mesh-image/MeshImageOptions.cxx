@@ -123,7 +123,7 @@ AddRemainingOptions(CLI::App & app, Options & options)
            ParseSurfaceName,
            "also write the boundary triangles: .vtp, .vtk, .stl or .ply");
   app.add_option("--report", options.report, "also write counts, times and quality as JSON")->type_name("FILE");
-  AddValue(app, "--threads", "N", options.threads, ParseCount, "threads to use; default 1");
+  AddValue(app, "--threads", "N", options.threads, ParseCount, "threads to use; default: all cores");
   app.add_flag("--quiet", options.quiet, "no progress bar, no report on standard output");
 }
 

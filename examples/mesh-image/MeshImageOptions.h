@@ -18,10 +18,12 @@
 #ifndef MeshImageOptions_h
 #define MeshImageOptions_h
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace meshimage
@@ -58,7 +60,7 @@ struct Options
   Interpolator  interpolator{ Interpolator::Linear };
   std::string   surface;
   std::string   report;
-  std::uint64_t threads{ 1 };
+  std::uint64_t threads{ std::max(1u, std::thread::hardware_concurrency()) };
   bool          quiet{ false };
 };
 
