@@ -5,6 +5,12 @@ set(
 angles."
 )
 
+# The tests of wrapping are run by ITK's own driver.
+set(_wrapping_test_depends)
+if(ITK_SOURCE_DIR AND ITK_WRAP_PYTHON)
+  set(_wrapping_test_depends ITKTestKernel)
+endif()
+
 itk_module(
   DelaunayRefinement
   DEPENDS
@@ -15,6 +21,7 @@ itk_module(
     ITKGoogleTest
     ITKIONIFTI
     ITKThresholding
+    ${_wrapping_test_depends}
   DESCRIPTION "${DOCUMENTATION}"
   EXCLUDE_FROM_DEFAULT
   ENABLE_SHARED

@@ -1,4 +1,4 @@
-"""What an ITK build tree runs: meshes a box and writes it to the file that is named. Needs no NumPy."""
+"""What an ITK build tree runs: meshes a box and writes it to the file that is named. ITK itself imports NumPy."""
 
 import itertools
 import os

@@ -28,11 +28,17 @@ except KeyboardInterrupt:
 """
 
 
+def start(program):
+    # What a shell runs in its background ignores Ctrl-C, and so would the child.
+    heed = "import signal; signal.signal(signal.SIGINT, signal.default_int_handler)\n"
+    return subprocess.Popen(
+        [sys.executable, "-c", heed + program], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    )
+
+
 def interrupt(statement, after):
     program = RUN.format(image=str(BRAIN), statement=statement)
-    process = subprocess.Popen(
-        [sys.executable, "-c", program], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
-    )
+    process = start(program)
     assert process.stdout.readline() == "ready\n"
     time.sleep(after)
     sent = time.time()
@@ -63,9 +69,7 @@ def test_traceback_is_of_the_interrupt():
         "f(image, lower_threshold=1, delta=9.0); print('ready', flush=True); "
         "f(image, lower_threshold=1, delta=2.0, cell_size=1.8)"
     )
-    process = subprocess.Popen(
-        [sys.executable, "-c", program], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
-    )
+    process = start(program)
     process.stdout.readline()
     time.sleep(1.0)
     process.send_signal(signal.SIGINT)
