@@ -21,14 +21,17 @@
 #include "itkDelaunayRefinementMeshFilter.h"
 
 #include "itkDelaunayRefinementEngine.h"
+#include "itkDelaunayRefinementFirstUses.h"
 #include "itkDelaunayRefinementImageCensus.h"
 #include "itkImageDelaunayRefinementOracle.h"
 #include "itkLinearInterpolateImageFunction.h"
+#include "itkMultiThreaderBase.h"
 #include "itkTetrahedronCell.h"
 #include "itkTriangleCell.h"
 #include "itksys/SystemInformation.hxx"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <sstream>
@@ -211,17 +214,20 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::GenerateData()
     const auto             preparationStart = Clock::now();
     const InputImageType * image = this->GetInput();
     this->VerifyGeometry(image);
-    ObjectType           object;
-    const InputPixelType label = this->ChooseObject(image, object);
+    DelaunayRefinementThreads threads(this->ComputeNumberOfThreads());
+    ObjectType                object;
+    const InputPixelType      label = this->ChooseObject(image, threads, object);
+    this->ThrowIfAborted();
 
-    ImageDelaunayRefinementOracle<InputImageType> oracle(image, object, m_Interpolator);
+    ImageDelaunayRefinementOracle<InputImageType> oracle(image, object, m_Interpolator, &threads);
+    this->ThrowIfAborted();
     this->VerifyObject(image, oracle);
     m_EffectiveDelta = m_DeltaIsSet ? m_Delta : oracle.ComputeDefaultDelta();
     m_Components = oracle.ComputeComponents(m_EffectiveDelta);
     const std::vector<std::uint32_t>   kept = this->LeaveOutNegligibleComponents(oracle);
     const DelaunayRefinementParameters parameters = this->MakeParameters(oracle, kept);
     this->VerifyPrecision(oracle, parameters);
-    this->VerifyMemory(image, oracle, kept, parameters);
+    this->VerifyMemory(oracle, kept, parameters);
     m_PreparationSeconds = secondsSince(preparationStart);
 
     DelaunayRefinementEngine engine(oracle, parameters);
@@ -237,7 +243,7 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::GenerateData()
     this->WarnOfComponents();
 
     const auto copyStart = Clock::now();
-    this->CopyResult(result, label);
+    this->CopyResult(result, label, threads);
     // What was asked for is there: else every Update() would run again.
     this->GetOutput()->SetBufferedRegion(this->GetOutput()->GetRequestedRegion());
     this->GetBoundaryOutput()->SetBufferedRegion(this->GetBoundaryOutput()->GetRequestedRegion());
@@ -248,8 +254,9 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::GenerateData()
 
 template <typename TInputImage, typename TOutputMesh>
 typename DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::InputPixelType
-DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::ChooseObject(const InputImageType * image,
-                                                                     ObjectType &           object) const
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::ChooseObject(const InputImageType *      image,
+                                                                     DelaunayRefinementThreads & threads,
+                                                                     ObjectType &                object) const
 {
   using DefinitionEnum = typename ObjectType::DefinitionEnum;
   const auto & region = image->GetBufferedRegion();
@@ -258,7 +265,7 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::ChooseObject(const Input
     itkExceptionMacro("The image is empty");
   }
   const DelaunayRefinementImageCensus<InputPixelType> census(
-    image->GetBufferPointer(), region.GetNumberOfPixels(), region.GetSize(0));
+    image->GetBufferPointer(), region.GetNumberOfPixels(), region.GetSize(0), &threads);
   if (census.HasNaN())
   {
     itkExceptionMacro("The image has pixels that are NaN (not a number); replace them by values");
@@ -474,6 +481,13 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::RenumberComponents(
 }
 
 template <typename TInputImage, typename TOutputMesh>
+unsigned int
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::ComputeNumberOfThreads()
+{
+  return std::min<unsigned int>(this->GetNumberOfWorkUnits(), this->GetMultiThreader()->GetMaximumNumberOfThreads());
+}
+
+template <typename TInputImage, typename TOutputMesh>
 DelaunayRefinementParameters
 DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::MakeParameters(const DelaunayRefinementLatticeOracle & oracle,
                                                                        const std::vector<std::uint32_t> &      kept)
@@ -484,8 +498,7 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::MakeParameters(const Del
   parameters.refineOutside = m_RefineOutside;
   parameters.minimumDihedralAngle = m_MinimumDihedralAngle;
   parameters.maximumNumberOfVertices = m_MaximumNumberOfVertices;
-  parameters.numberOfThreads =
-    std::min<unsigned int>(this->GetNumberOfWorkUnits(), this->GetMultiThreader()->GetMaximumNumberOfThreads());
+  parameters.numberOfThreads = this->ComputeNumberOfThreads();
   parameters.roundToFloat = sizeof(typename OutputMeshType::CoordRepType) < sizeof(double);
   parameters.progress = [this](double progress) {
     this->UpdateProgress(static_cast<float>(progress));
@@ -546,7 +559,6 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::VerifyPrecision(
 template <typename TInputImage, typename TOutputMesh>
 void
 DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::VerifyMemory(
-  const InputImageType *                  image,
   const DelaunayRefinementLatticeOracle & oracle,
   const std::vector<std::uint32_t> &      kept,
   const DelaunayRefinementParameters &    parameters) const
@@ -554,18 +566,12 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::VerifyMemory(
   // Measured: some 800 bytes for each tetrahedron of the mesh, those outside it included.
   constexpr double megabytesPerTetrahedron = 1e-3;
   double           megabytes = megabytesPerTetrahedron * oracle.EstimateNumberOfTetrahedra(parameters);
-  const auto &     spacing = image->GetSpacing();
-  const double     leastSpacing = *std::min_element(spacing.Begin(), spacing.End());
   for (std::size_t i = 0; i < kept.size(); ++i)
   {
     if (parameters.componentDelta[i] < parameters.delta)
     {
-      // A ball has three times its volume over its radius for a surface; no voxel has more than its six faces.
-      constexpr double                    tetrahedraPerArea = 3.4;
-      const DelaunayRefinementComponent & component = m_Components[kept[i]];
-      const double                        radius = std::max(component.inscribedRadius, 0.5 * leastSpacing);
-      megabytes += megabytesPerTetrahedron * tetrahedraPerArea * 3.0 * component.volume /
-                   (radius * parameters.componentDelta[i] * parameters.componentDelta[i]);
+      megabytes += megabytesPerTetrahedron *
+                   oracle.EstimateNumberOfTetrahedra(m_Components[kept[i]], parameters.componentDelta[i]);
     }
   }
   itksys::SystemInformation system;
@@ -601,6 +607,16 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::ThrowUnlessCompleted(
                         << m_MaximumNumberOfVertices << "; set a larger Delta or a larger MaximumNumberOfVertices");
     case TerminationReason::NO_SURFACE_FOUND:
       itkExceptionMacro("There is no object to mesh: it has no surface");
+  }
+}
+
+template <typename TInputImage, typename TOutputMesh>
+void
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::ThrowIfAborted() const
+{
+  if (this->GetAbortGenerateData())
+  {
+    this->ThrowUnlessCompleted(DelaunayRefinementEnums::TerminationReason::STOPPED_BY_CALLER);
   }
 }
 
@@ -646,64 +662,72 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::WarnOfComponents()
 template <typename TInputImage, typename TOutputMesh>
 void
 DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::CopyResult(const DelaunayRefinementResult & result,
-                                                                   InputPixelType                   label)
+                                                                   InputPixelType                   label,
+                                                                   DelaunayRefinementThreads &      threads)
 {
-  const auto copyPoints = [](const DelaunayRefinementPoint & from) {
-    typename OutputMeshType::PointType to;
-    for (unsigned int i = 0; i < 3; ++i)
-    {
-      to[i] = static_cast<typename OutputMeshType::CoordRepType>(from[i]);
-    }
-    return to;
-  };
-  constexpr IdentifierType none = NumericTraits<IdentifierType>::max();
-
-  OutputMeshType * mesh = this->GetOutput();
-  auto             points = OutputMeshType::PointsContainer::New();
-  points->Reserve(static_cast<IdentifierType>(result.points.size()));
-  for (std::size_t i = 0; i < result.points.size(); ++i)
+  try
   {
-    points->CastToSTLContainer()[i] = copyPoints(result.points[i]);
+    CopyPoints(
+      result.points, result.points.size(), [](std::uint32_t point) { return point; }, threads, this->GetOutput());
+    this->CopyCells<TetrahedronCell<typename OutputMeshType::CellType>>(
+      result.tetrahedra, label, [](std::uint32_t point) { return point; }, threads, this->GetOutput());
+
+    // The boundary's own points, numbered as they come.
+    const DelaunayRefinementFirstUses uses(
+      result.boundaryTriangles.front().data(), 3 * result.boundaryTriangles.size(), result.points.size(), &threads);
+    const auto numberOf = [&uses](std::uint32_t point) { return uses.GetNumber(point); };
+    CopyPoints(result.points, uses.GetNumberOfUsed(), numberOf, threads, this->GetBoundaryOutput());
+    this->CopyCells<TriangleCell<typename OutputMeshType::CellType>>(
+      result.boundaryTriangles, label, numberOf, threads, this->GetBoundaryOutput());
   }
-  mesh->SetPoints(points);
-  this->CopyCells<TetrahedronCell<typename OutputMeshType::CellType>>(
-    result.tetrahedra, label, [](std::uint32_t point) { return static_cast<IdentifierType>(point); }, mesh);
-
-  // The boundary's own points, numbered as they come.
-  OutputMeshType *            boundary = this->GetBoundaryOutput();
-  std::vector<IdentifierType> numbers(result.points.size(), none);
-  IdentifierType              next = 0;
-  for (const auto & triangle : result.boundaryTriangles)
+  catch (...)
   {
-    for (const std::uint32_t point : triangle)
-    {
-      if (numbers[point] == none)
+    // Half a mesh is none.
+    this->GetOutput()->Initialize();
+    this->GetBoundaryOutput()->Initialize();
+    throw;
+  }
+}
+
+template <typename TInputImage, typename TOutputMesh>
+template <typename TNumbering>
+void
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::CopyPoints(
+  const DelaunayRefinementArray<DelaunayRefinementPoint> & from,
+  std::size_t                                              number,
+  const TNumbering &                                       numberOf,
+  DelaunayRefinementThreads &                              threads,
+  OutputMeshType *                                         to)
+{
+  auto container = OutputMeshType::PointsContainer::New();
+  container->Reserve(static_cast<IdentifierType>(number));
+  auto &                points = container->CastToSTLContainer();
+  constexpr std::size_t length = 8192;
+  DelaunayRefinementThreads::RunPieces(
+    &threads, from.size(), length, [&](std::size_t, std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
       {
-        numbers[point] = next++;
+        const std::uint32_t at = numberOf(static_cast<std::uint32_t>(i));
+        if (at != DelaunayRefinementFirstUses::None)
+        {
+          for (unsigned int j = 0; j < 3; ++j)
+          {
+            points[at][j] = static_cast<typename OutputMeshType::CoordRepType>(from[i][j]);
+          }
+        }
       }
-    }
-  }
-  auto boundaryPoints = OutputMeshType::PointsContainer::New();
-  boundaryPoints->Reserve(next);
-  for (std::size_t i = 0; i < numbers.size(); ++i)
-  {
-    if (numbers[i] != none)
-    {
-      boundaryPoints->CastToSTLContainer()[numbers[i]] = copyPoints(result.points[i]);
-    }
-  }
-  boundary->SetPoints(boundaryPoints);
-  this->CopyCells<TriangleCell<typename OutputMeshType::CellType>>(
-    result.boundaryTriangles, label, [&numbers](std::uint32_t point) { return numbers[point]; }, boundary);
+    });
+  to->SetPoints(container);
 }
 
 template <typename TInputImage, typename TOutputMesh>
 template <typename TCell, typename TCellPoints, typename TNumbering>
 void
-DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::CopyCells(const std::vector<TCellPoints> & from,
-                                                                  InputPixelType                   label,
-                                                                  const TNumbering &               numberOf,
-                                                                  OutputMeshType *                 to)
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::CopyCells(const DelaunayRefinementArray<TCellPoints> & from,
+                                                                  InputPixelType                               label,
+                                                                  const TNumbering &                           numberOf,
+                                                                  DelaunayRefinementThreads &                  threads,
+                                                                  OutputMeshType *                             to)
 {
   const auto value = static_cast<typename OutputMeshType::CellPixelType>(label);
   if (static_cast<InputPixelType>(value) != label)
@@ -712,30 +736,37 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::CopyCells(const std::vec
                       << static_cast<typename NumericTraits<InputPixelType>::PrintType>(label)
                       << "; use a mesh with larger integers for cell data");
   }
-  auto cells = OutputMeshType::CellsContainer::New();
-  auto data = OutputMeshType::CellDataContainer::New();
-  cells->Reserve(static_cast<IdentifierType>(from.size()));
-  data->Reserve(static_cast<IdentifierType>(from.size()));
-  // From here on the mesh owns the cells.
+  // The mesh owns the cells, null or not, from the start: nothing is lost or deleted twice.
   to->SetCellsAllocationMethod(MeshEnums::MeshClassCellsAllocationMethod::CellsAllocatedDynamicallyCellByCell);
-  to->SetCells(cells);
-  to->SetCellData(data);
-  constexpr std::size_t cellsBetweenQuestions = 65536;
-  for (std::size_t i = 0; i < from.size(); ++i)
+  to->SetCells(OutputMeshType::CellsContainer::New());
+  to->SetCellData(OutputMeshType::CellDataContainer::New());
+  to->GetCells()->Reserve(static_cast<IdentifierType>(from.size()));
+  to->GetCellData()->Reserve(static_cast<IdentifierType>(from.size()));
+  auto & cells = to->GetCells()->CastToSTLContainer();
+  auto & data = to->GetCellData()->CastToSTLContainer();
+
+  constexpr std::size_t length = 8192;
+  std::atomic<bool>     isAborted{ false };
+  threads.Run(DelaunayRefinementThreads::CountPieces(from.size(), length), [&](std::size_t piece, unsigned int thread) {
+    if (thread == 0 && this->GetAbortGenerateData())
+    {
+      isAborted.store(true, std::memory_order_relaxed);
+    }
+    const std::size_t end = std::min(from.size(), (piece + 1) * length);
+    for (std::size_t i = piece * length; i < end && !isAborted.load(std::memory_order_relaxed); ++i)
+    {
+      auto * cell = new TCell;
+      cells[i] = cell;
+      data[i] = value;
+      for (unsigned int j = 0; j < from[i].size(); ++j)
+      {
+        cell->SetPointId(static_cast<int>(j), static_cast<IdentifierType>(numberOf(from[i][j])));
+      }
+    }
+  });
+  if (isAborted)
   {
-    if (i % cellsBetweenQuestions == 0 && this->GetAbortGenerateData())
-    {
-      this->GetOutput()->Initialize();
-      this->GetBoundaryOutput()->Initialize();
-      this->ThrowUnlessCompleted(DelaunayRefinementEnums::TerminationReason::STOPPED_BY_CALLER);
-    }
-    auto * cell = new TCell;
-    for (unsigned int j = 0; j < from[i].size(); ++j)
-    {
-      cell->SetPointId(static_cast<int>(j), numberOf(from[i][j]));
-    }
-    cells->CastToSTLContainer()[i] = cell;
-    data->CastToSTLContainer()[i] = value;
+    this->ThrowUnlessCompleted(DelaunayRefinementEnums::TerminationReason::STOPPED_BY_CALLER);
   }
 }
 
