@@ -18,13 +18,14 @@
 #ifndef itkDelaunayRefinementImageCensus_h
 #define itkDelaunayRefinementImageCensus_h
 
+#include "itkDelaunayRefinementThreads.h"
+
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstddef>
+#include <atomic>
 #include <cstring>
 #include <limits>
-#include <map>
+#include <set>
 #include <type_traits>
 #include <vector>
 
@@ -39,11 +40,15 @@ template <typename TPixel>
 class DelaunayRefinementImageCensus
 {
 public:
-  /** Rows of \c rowLength pixels, one after another. */
-  DelaunayRefinementImageCensus(const TPixel * buffer, std::size_t numberOfPixels, std::size_t rowLength)
+  /** Rows of \c rowLength pixels, one after another, looked at on several threads if there are any. */
+  DelaunayRefinementImageCensus(const TPixel *              buffer,
+                                std::size_t                 numberOfPixels,
+                                std::size_t                 rowLength,
+                                DelaunayRefinementThreads * threads = nullptr)
     : m_Buffer(buffer)
     , m_NumberOfPixels(numberOfPixels)
     , m_RowLength(rowLength)
+    , m_Threads(threads)
   {}
 
   /** Whether a pixel is not a number. */
@@ -52,7 +57,24 @@ public:
   {
     if constexpr (std::is_floating_point_v<TPixel>)
     {
-      return std::any_of(m_Buffer, m_Buffer + m_NumberOfPixels, [](TPixel value) { return std::isnan(value); });
+      std::atomic<bool> isThere{ false };
+      this->ForPieces(m_NumberOfPixels, PixelsPerPiece, [&](std::size_t, std::size_t begin, std::size_t end) {
+        // All of some at once, which compilers make fast: only NaN differs from itself.
+        constexpr std::size_t some = 4096;
+        for (std::size_t i = begin; i < end && !isThere.load(std::memory_order_relaxed); i += some)
+        {
+          unsigned int different = 0;
+          for (std::size_t j = i; j < std::min(i + some, end); ++j)
+          {
+            different |= m_Buffer[j] != m_Buffer[j] ? 1u : 0u;
+          }
+          if (different != 0)
+          {
+            isThere.store(true, std::memory_order_relaxed);
+          }
+        }
+      });
+      return isThere.load(std::memory_order_relaxed);
     }
     else
     {
@@ -72,40 +94,14 @@ public:
   std::vector<TPixel>
   FindLabels() const
   {
-    std::vector<TPixel> labels;
     if constexpr (std::is_integral_v<TPixel> && sizeof(TPixel) <= 2)
     {
-      constexpr int     offset = std::numeric_limits<TPixel>::min();
-      std::vector<char> isThere(std::numeric_limits<TPixel>::max() - offset + 1, 0);
-      for (std::size_t i = 0; i < m_NumberOfPixels; i = this->FindChange(i))
-      {
-        isThere[m_Buffer[i] - offset] = 1;
-      }
-      for (std::size_t i = 0; i < isThere.size(); ++i)
-      {
-        const auto value = static_cast<TPixel>(static_cast<int>(i) + offset);
-        if (isThere[i] && value != 0)
-        {
-          labels.push_back(value);
-        }
-      }
+      return this->FindFewLabels();
     }
     else
     {
-      std::map<TPixel, bool> isThere;
-      for (std::size_t i = 0; i < m_NumberOfPixels && isThere.size() <= MostLabels; i = this->FindChange(i))
-      {
-        isThere[m_Buffer[i]] = true;
-      }
-      for (const auto & entry : isThere)
-      {
-        if (entry.first != 0)
-        {
-          labels.push_back(entry.first);
-        }
-      }
+      return this->FindManyLabels();
     }
-    return labels;
   }
 
   /** Among neighbors in a row that are both not 0, the share of those that differ: small for tissues, large for grey
@@ -113,45 +109,129 @@ public:
   double
   ComputeSpeckle() const
   {
-    std::size_t pairs = 0;
-    std::size_t differences = 0;
-    for (std::size_t row = 0; row < m_NumberOfPixels; row += m_RowLength)
+    struct CountType
     {
-      for (std::size_t i = row + 1; i < row + m_RowLength; ++i)
+      std::size_t pairs{ 0 };
+      std::size_t differences{ 0 };
+    };
+    const std::size_t      rows = m_NumberOfPixels / m_RowLength;
+    const std::size_t      length = 1 + PixelsPerPiece / m_RowLength;
+    std::vector<CountType> counts(DelaunayRefinementThreads::CountPieces(rows, length));
+    this->ForPieces(rows, length, [&](std::size_t piece, std::size_t begin, std::size_t end) {
+      CountType count;
+      for (std::size_t row = begin; row < end; ++row)
       {
-        const bool isPair = m_Buffer[i] != 0 && m_Buffer[i - 1] != 0;
-        pairs += isPair ? 1 : 0;
-        differences += isPair && m_Buffer[i] != m_Buffer[i - 1] ? 1 : 0;
+        for (std::size_t i = row * m_RowLength + 1; i < (row + 1) * m_RowLength; ++i)
+        {
+          const bool isPair = m_Buffer[i] != 0 && m_Buffer[i - 1] != 0;
+          count.pairs += isPair ? 1 : 0;
+          count.differences += isPair && m_Buffer[i] != m_Buffer[i - 1] ? 1 : 0;
+        }
       }
+      counts[piece] = count;
+    });
+    CountType all;
+    for (const CountType & count : counts)
+    {
+      all.pairs += count.pairs;
+      all.differences += count.differences;
     }
-    return pairs == 0 ? 0.0 : static_cast<double>(differences) / static_cast<double>(pairs);
+    return all.pairs == 0 ? 0.0 : static_cast<double>(all.differences) / static_cast<double>(all.pairs);
   }
 
 private:
+  static constexpr std::size_t PixelsPerPiece = 262144;
+  static constexpr std::size_t MostLabels = 100000;
+
+  void
+  ForPieces(std::size_t size, std::size_t length, const DelaunayRefinementThreads::PieceTaskType & task) const
+  {
+    DelaunayRefinementThreads::RunPieces(m_Threads, size, length, task);
+  }
+
+  /** Calls \c action with each value that differs from the one before it. */
+  template <typename TAction>
+  void
+  ForEachChange(std::size_t begin, std::size_t end, const TAction & action) const
+  {
+    for (std::size_t i = begin; i < end; i = this->FindChange(i, end))
+    {
+      action(m_Buffer[i]);
+    }
+  }
+
+  /** By a table of all values. */
+  std::vector<TPixel>
+  FindFewLabels() const
+  {
+    constexpr int offset = std::numeric_limits<TPixel>::min();
+    using TableType = std::vector<char>;
+    const TableType   none(std::numeric_limits<TPixel>::max() - offset + 1, 0);
+    const std::size_t length =
+      DelaunayRefinementThreads::ChoosePieceLength(m_Threads, m_NumberOfPixels, PixelsPerPiece);
+    std::vector<TableType> tables(DelaunayRefinementThreads::CountPieces(m_NumberOfPixels, length), none);
+    this->ForPieces(m_NumberOfPixels, length, [&](std::size_t piece, std::size_t begin, std::size_t end) {
+      this->ForEachChange(begin, end, [&table = tables[piece]](TPixel value) { table[value - offset] = 1; });
+    });
+    std::vector<TPixel> labels;
+    for (std::size_t i = 0; i < none.size(); ++i)
+    {
+      const auto value = static_cast<TPixel>(static_cast<int>(i) + offset);
+      if (value != 0 && std::any_of(tables.begin(), tables.end(), [i](const TableType & table) { return table[i]; }))
+      {
+        labels.push_back(value);
+      }
+    }
+    return labels;
+  }
+
+  /** By sets of values, of some pieces at a time until there are too many: the same ones for any number of threads. */
+  std::vector<TPixel>
+  FindManyLabels() const
+  {
+    constexpr std::size_t                       piecesAtATime = 16;
+    std::set<TPixel>                            all;
+    std::array<std::set<TPixel>, piecesAtATime> some;
+    for (std::size_t first = 0; first < m_NumberOfPixels && all.size() <= MostLabels;
+         first += piecesAtATime * PixelsPerPiece)
+    {
+      const std::size_t number = std::min(m_NumberOfPixels - first, piecesAtATime * PixelsPerPiece);
+      this->ForPieces(number, PixelsPerPiece, [&](std::size_t piece, std::size_t begin, std::size_t end) {
+        this->ForEachChange(first + begin, first + end, [&set = some[piece]](TPixel value) { set.insert(value); });
+      });
+      for (auto & set : some)
+      {
+        all.merge(set);
+        set.clear();
+      }
+    }
+    all.erase(0);
+    return { all.begin(), all.end() };
+  }
+
   /** The first pixel after \c i with another value, or the end. */
   std::size_t
-  FindChange(std::size_t i) const
+  FindChange(std::size_t i, std::size_t end) const
   {
     constexpr std::size_t      length = 64 / sizeof(TPixel);
     std::array<TPixel, length> same;
     same.fill(m_Buffer[i]);
     ++i;
-    while (i + length <= m_NumberOfPixels && std::memcmp(m_Buffer + i, same.data(), sizeof(same)) == 0)
+    while (i + length <= end && std::memcmp(m_Buffer + i, same.data(), sizeof(same)) == 0)
     {
       i += length;
     }
-    while (i < m_NumberOfPixels && m_Buffer[i] == same[0])
+    while (i < end && m_Buffer[i] == same[0])
     {
       ++i;
     }
     return i;
   }
 
-  static constexpr std::size_t MostLabels = 100000;
-
-  const TPixel * m_Buffer;
-  std::size_t    m_NumberOfPixels;
-  std::size_t    m_RowLength;
+  const TPixel *              m_Buffer;
+  std::size_t                 m_NumberOfPixels;
+  std::size_t                 m_RowLength;
+  DelaunayRefinementThreads * m_Threads;
 };
 } // end namespace itk
 

@@ -141,26 +141,34 @@ public:
   bool
   HasVolume(const DelaunayRefinementComponent & component) const;
 
-  /** A rough estimate of the number of tetrahedra of the mesh. */
+  /** A rough estimate of the number of tetrahedra of the mesh, with one delta for all components. */
   double
   EstimateNumberOfTetrahedra(const DelaunayRefinementParameters & parameters) const;
+
+  /** The same for one component with a delta of its own. */
+  double
+  EstimateNumberOfTetrahedra(const DelaunayRefinementComponent & component, double delta) const;
 
 protected:
   /** Nothing can be asked before Initialize(). */
   DelaunayRefinementLatticeOracle();
 
-  /** Takes the mask, its components and the frame, and sets up the search for the surface. */
+  /** Takes the mask, its components and the frame, and sets up the search for the surface. Threads, if there are any,
+   * share the work here and in what describes the object as a whole; they must outlive the oracle. */
   void
   Initialize(ModelEnum                         model,
              const FrameType &                 frame,
              DelaunayRefinementVoxelMask       mask,
-             DelaunayRefinementVoxelComponents components);
+             DelaunayRefinementVoxelComponents components,
+             DelaunayRefinementThreads *       threads = nullptr);
 
-  /** GREY: the value of a voxel minus the level; its sign need not agree with the mask, which prevails. */
+  /** GREY: the value of a voxel minus the level; its sign need not agree with the mask, which prevails. May be called
+   * on several threads at once. */
   virtual double
   GetVoxelValue(std::int32_t x, std::int32_t y, std::int32_t z) const;
 
-  /** FIELD: whether a point is inside, given in voxels from the first voxel's center. */
+  /** FIELD: whether a point is inside, given in voxels from the first voxel's center. May be called on several threads
+   * at once. */
   virtual bool
   IsInsideField(const PointType & position) const;
 
@@ -249,6 +257,26 @@ private:
   double
   GetLeastSpacing() const;
 
+  /** As FindClosestSurfacePoint(); but of points nearer than \c nearEnough the first one that is found will do. */
+  bool
+  FindClosestSurfacePoint(const PointType & point,
+                          double            maximumDistance,
+                          double            nearEnough,
+                          PointType &       closest) const;
+
+  /** Some voxels of each component, in the order of its runs. */
+  struct CandidateType
+  {
+    IndexType     voxel;
+    ComponentType component;
+  };
+  std::vector<CandidateType>
+  ChooseCandidates() const;
+
+  /** How far the surface is along the axis where it is nearest, and what decides between equals. */
+  std::pair<double, double>
+  MeasureThickness(const IndexType & voxel, double enough) const;
+
   /** For each component a voxel that is likely to be far from the surface; up to \c enough matters. */
   std::vector<IndexType>
   FindThickVoxels(double enough) const;
@@ -267,6 +295,7 @@ private:
   std::unique_ptr<DelaunayRefinementVoxelMask>       m_Mask;
   std::unique_ptr<DelaunayRefinementVoxelComponents> m_Components;
   std::unique_ptr<DelaunayRefinementBricks>          m_Bricks;
+  DelaunayRefinementThreads *                        m_Threads{ nullptr };
 };
 } // end namespace itk
 

@@ -215,8 +215,9 @@ public:
   /** @ITKEndGrouping */
 
   /** The interpolator of the indicator or of the grey values, part of the paper's function f (section II). Default:
-   * linear, also if it is null. One that is neither linear nor nearest neighbor is given an input image by the filter;
-   * after a change of its own parameters call Modified() on the filter. */
+   * linear, also if it is null. One that is neither linear nor nearest neighbor is given an input image by the filter,
+   * and asked on several threads at once by EvaluateAtContinuousIndex(), which is const: one of your own that keeps
+   * state there needs SetNumberOfWorkUnits(1). After a change of its own parameters call Modified() on the filter. */
   /** @ITKStartGrouping */
   itkSetObjectMacro(Interpolator, InterpolatorType);
   itkGetModifiableObjectMacro(Interpolator, InterpolatorType);
@@ -266,7 +267,7 @@ private:
 
   /** Looks at the pixels and says what the object is; returns the label of its tetrahedra. */
   InputPixelType
-  ChooseObject(const InputImageType * image, ObjectType & object) const;
+  ChooseObject(const InputImageType * image, DelaunayRefinementThreads & threads, ObjectType & object) const;
 
   static std::string
   DescribeLabels(const LabelsType & labels);
@@ -282,6 +283,9 @@ private:
   void
   RenumberComponents(const std::vector<std::uint32_t> & kept, const DelaunayRefinementParameters & parameters);
 
+  unsigned int
+  ComputeNumberOfThreads();
+
   DelaunayRefinementParameters
   MakeParameters(const DelaunayRefinementLatticeOracle & oracle, const std::vector<std::uint32_t> & kept);
 
@@ -293,8 +297,7 @@ private:
                   const DelaunayRefinementParameters &    parameters) const;
 
   void
-  VerifyMemory(const InputImageType *                  image,
-               const DelaunayRefinementLatticeOracle & oracle,
+  VerifyMemory(const DelaunayRefinementLatticeOracle & oracle,
                const std::vector<std::uint32_t> &      kept,
                const DelaunayRefinementParameters &    parameters) const;
 
@@ -302,17 +305,31 @@ private:
   ThrowUnlessCompleted(DelaunayRefinementEnums::TerminationReason reason) const;
 
   void
-  WarnOfComponents();
+  ThrowIfAborted() const;
 
   void
-  CopyResult(const DelaunayRefinementResult & result, InputPixelType label);
+  WarnOfComponents();
+
+  /** Leaves both outputs empty if it throws. */
+  void
+  CopyResult(const DelaunayRefinementResult & result, InputPixelType label, DelaunayRefinementThreads & threads);
+
+  /** Those that have a number. */
+  template <typename TNumbering>
+  static void
+  CopyPoints(const DelaunayRefinementArray<DelaunayRefinementPoint> & from,
+             std::size_t                                              number,
+             const TNumbering &                                       numberOf,
+             DelaunayRefinementThreads &                              threads,
+             OutputMeshType *                                         to);
 
   template <typename TCell, typename TCellPoints, typename TNumbering>
   void
-  CopyCells(const std::vector<TCellPoints> & from,
-            InputPixelType                   label,
-            const TNumbering &               numberOf,
-            OutputMeshType *                 to);
+  CopyCells(const DelaunayRefinementArray<TCellPoints> & from,
+            InputPixelType                               label,
+            const TNumbering &                           numberOf,
+            DelaunayRefinementThreads &                  threads,
+            OutputMeshType *                             to);
 
   double                             m_Delta{ 0.0 };
   bool                               m_DeltaIsSet{ false };

@@ -21,17 +21,16 @@
 #include "itkDelaunayRefinementMeshFilter.h"
 
 #include "itkDelaunayRefinementEngine.h"
-#include "itkDelaunayRefinementImageCensus.h"
+#include "itkDelaunayRefinementFirstUses.h"
 #include "itkImageDelaunayRefinementOracle.h"
 #include "itkLinearInterpolateImageFunction.h"
+#include "itkMultiThreaderBase.h"
 #include "itkTetrahedronCell.h"
 #include "itkTriangleCell.h"
-#include "itksys/SystemInformation.hxx"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
-#include <cmath>
-#include <sstream>
 
 namespace itk
 {
@@ -144,54 +143,6 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::GenerateOutputInformatio
 
 template <typename TInputImage, typename TOutputMesh>
 void
-DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::VerifyPreconditions() ITKv5_CONST
-{
-  Superclass::VerifyPreconditions();
-  const auto isPositive = [](double value) { return std::isfinite(value) && value > 0.0; };
-  if (ImageDimension != 3)
-  {
-    itkExceptionMacro("The image has dimension " << ImageDimension << "; only images of dimension 3 can be meshed");
-  }
-  if (m_DeltaIsSet && !isPositive(m_Delta))
-  {
-    itkExceptionMacro("Delta is " << m_Delta << "; it must be a positive, finite length");
-  }
-  if (!(std::isfinite(m_RadiusEdgeRatioBound) && m_RadiusEdgeRatioBound >= 1.0))
-  {
-    itkExceptionMacro("RadiusEdgeRatioBound is " << m_RadiusEdgeRatioBound << "; it must be finite and at least 1");
-  }
-  if (!(m_CellSize > 0.0))
-  {
-    itkExceptionMacro("CellSize is " << m_CellSize << "; it must be a positive length");
-  }
-  if (!(m_MinimumDihedralAngle >= 0.0 && m_MinimumDihedralAngle < 60.0))
-  {
-    itkExceptionMacro("MinimumDihedralAngle is " << m_MinimumDihedralAngle
-                                                 << "; it must be at least 0 and below 60 degrees");
-  }
-  if (m_MaximumNumberOfVertices == 0)
-  {
-    itkExceptionMacro("MaximumNumberOfVertices is 0; it must be positive");
-  }
-  if (m_IsoValueIsSet && !std::isfinite(m_IsoValue))
-  {
-    itkExceptionMacro("IsoValue is " << m_IsoValue << "; it must be finite");
-  }
-  if (std::isnan(m_LowerThreshold) || std::isnan(m_UpperThreshold) || m_LowerThreshold > m_UpperThreshold)
-  {
-    itkExceptionMacro("LowerThreshold is " << m_LowerThreshold << " and UpperThreshold is " << m_UpperThreshold
-                                           << "; they must be numbers, the lower one not above the upper one");
-  }
-  const bool hasThreshold = m_LowerThresholdIsSet || m_UpperThresholdIsSet;
-  if ((m_IsoValueIsSet ? 1 : 0) + (hasThreshold ? 1 : 0) + (m_Labels.empty() && !m_MergeLabels ? 0 : 1) > 1)
-  {
-    itkExceptionMacro("IsoValue, LowerThreshold with UpperThreshold, and Labels with MergeLabels define the object in "
-                      "different ways; set only one of them");
-  }
-}
-
-template <typename TInputImage, typename TOutputMesh>
-void
 DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::GenerateData()
 {
   m_Statistics = DelaunayRefinementStatistics();
@@ -211,17 +162,20 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::GenerateData()
     const auto             preparationStart = Clock::now();
     const InputImageType * image = this->GetInput();
     this->VerifyGeometry(image);
-    ObjectType           object;
-    const InputPixelType label = this->ChooseObject(image, object);
+    DelaunayRefinementThreads threads(this->ComputeNumberOfThreads());
+    ObjectType                object;
+    const InputPixelType      label = this->ChooseObject(image, threads, object);
+    this->ThrowIfAborted();
 
-    ImageDelaunayRefinementOracle<InputImageType> oracle(image, object, m_Interpolator);
+    ImageDelaunayRefinementOracle<InputImageType> oracle(image, object, m_Interpolator, &threads);
+    this->ThrowIfAborted();
     this->VerifyObject(image, oracle);
     m_EffectiveDelta = m_DeltaIsSet ? m_Delta : oracle.ComputeDefaultDelta();
     m_Components = oracle.ComputeComponents(m_EffectiveDelta);
     const std::vector<std::uint32_t>   kept = this->LeaveOutNegligibleComponents(oracle);
     const DelaunayRefinementParameters parameters = this->MakeParameters(oracle, kept);
     this->VerifyPrecision(oracle, parameters);
-    this->VerifyMemory(image, oracle, kept, parameters);
+    this->VerifyMemory(oracle, kept, parameters);
     m_PreparationSeconds = secondsSince(preparationStart);
 
     DelaunayRefinementEngine engine(oracle, parameters);
@@ -237,161 +191,13 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::GenerateData()
     this->WarnOfComponents();
 
     const auto copyStart = Clock::now();
-    this->CopyResult(result, label);
+    this->CopyResult(result, label, threads);
     // What was asked for is there: else every Update() would run again.
     this->GetOutput()->SetBufferedRegion(this->GetOutput()->GetRequestedRegion());
     this->GetBoundaryOutput()->SetBufferedRegion(this->GetBoundaryOutput()->GetRequestedRegion());
     m_CopySeconds = secondsSince(copyStart);
     this->UpdateProgress(1.0f);
   }
-}
-
-template <typename TInputImage, typename TOutputMesh>
-typename DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::InputPixelType
-DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::ChooseObject(const InputImageType * image,
-                                                                     ObjectType &           object) const
-{
-  using DefinitionEnum = typename ObjectType::DefinitionEnum;
-  const auto & region = image->GetBufferedRegion();
-  if (region.GetNumberOfPixels() == 0)
-  {
-    itkExceptionMacro("The image is empty");
-  }
-  const DelaunayRefinementImageCensus<InputPixelType> census(
-    image->GetBufferPointer(), region.GetNumberOfPixels(), region.GetSize(0));
-  if (census.HasNaN())
-  {
-    itkExceptionMacro("The image has pixels that are NaN (not a number); replace them by values");
-  }
-  // The label of all but single labels.
-  constexpr InputPixelType merged{ 1 };
-  object.minimumComponentSize = m_MinimumComponentSize;
-  object.largestComponentOnly = m_LargestComponentOnly;
-  if (m_IsoValueIsSet)
-  {
-    object.definition = DefinitionEnum::ISO_VALUE;
-    object.isoValue = m_IsoValue;
-    return merged;
-  }
-  if (m_LowerThresholdIsSet || m_UpperThresholdIsSet)
-  {
-    object.definition = DefinitionEnum::THRESHOLD;
-    object.lower = m_LowerThreshold;
-    object.upper = m_UpperThreshold;
-    return merged;
-  }
-  if (std::is_floating_point<InputPixelType>::value)
-  {
-    itkExceptionMacro("The image has floating-point values, which are no labels; set IsoValue, or LowerThreshold and "
-                      "UpperThreshold");
-  }
-  const std::vector<InputPixelType> labels = census.FindLabels();
-  for (const InputPixelType label : m_Labels)
-  {
-    if (!(label > InputPixelType{ 0 }))
-    {
-      itkExceptionMacro("Labels has the value " << static_cast<double>(label)
-                                                << "; labels must be positive, 0 being outside");
-    }
-    if (!std::binary_search(labels.begin(), labels.end(), label))
-    {
-      itkExceptionMacro("No voxel has the label " << static_cast<double>(label) << " of Labels; the image has "
-                                                  << this->DescribeLabels(labels));
-    }
-  }
-  if (!m_Labels.empty())
-  {
-    object.definition = DefinitionEnum::LABELS;
-    object.labels = m_Labels;
-    std::sort(object.labels.begin(), object.labels.end());
-    object.labels.erase(std::unique(object.labels.begin(), object.labels.end()), object.labels.end());
-    if (object.labels.size() > 1 && !m_MergeLabels)
-    {
-      itkExceptionMacro("Labels has " << object.labels.size()
-                                      << " values; choose one, or set MergeLabels to mesh them as one object");
-    }
-    return m_MergeLabels ? merged : object.labels.front();
-  }
-  object.definition = DefinitionEnum::NON_ZERO;
-  if (labels.empty())
-  {
-    return merged;
-  }
-  constexpr std::size_t manyLabels = 8;
-  constexpr double      speckled = 0.3;
-  if (!m_MergeLabels && labels.size() >= manyLabels && census.ComputeSpeckle() > speckled)
-  {
-    itkExceptionMacro("The image seems to hold grey values, not labels: " << labels.size()
-                                                                          << " values change from voxel to voxel. Set "
-                                                                             "LowerThreshold and UpperThreshold, or "
-                                                                             "IsoValue, or MergeLabels");
-  }
-  if (labels.front() < InputPixelType{ 0 })
-  {
-    itkExceptionMacro("The image has negative values, which are no labels; set LowerThreshold and UpperThreshold, or "
-                      "IsoValue, or Labels");
-  }
-  if (m_MergeLabels)
-  {
-    return merged;
-  }
-  if (labels.size() > 1)
-  {
-    itkExceptionMacro("The image has " << this->DescribeLabels(labels)
-                                       << "; choose one by Labels, or set MergeLabels to mesh them as one object");
-  }
-  return labels.front();
-}
-
-template <typename TInputImage, typename TOutputMesh>
-std::string
-DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::DescribeLabels(const LabelsType & labels)
-{
-  constexpr std::size_t mostShown = 10;
-  std::ostringstream    text;
-  text << labels.size() << (labels.size() == 1 ? " label" : " labels");
-  for (std::size_t i = 0; i < std::min(labels.size(), mostShown); ++i)
-  {
-    text << (i == 0 ? ": " : ", ") << static_cast<typename NumericTraits<InputPixelType>::PrintType>(labels[i]);
-  }
-  if (labels.size() > mostShown)
-  {
-    text << ", ...";
-  }
-  return text.str();
-}
-
-template <typename TInputImage, typename TOutputMesh>
-void
-DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::VerifyObject(
-  const InputImageType *                  image,
-  const DelaunayRefinementLatticeOracle & oracle) const
-{
-  if (oracle.GetNumberOfComponents() > 0)
-  {
-    return;
-  }
-  const auto & region = image->GetBufferedRegion();
-  const auto   range = DelaunayRefinementImageCensus<InputPixelType>(
-                       image->GetBufferPointer(), region.GetNumberOfPixels(), region.GetSize(0))
-                       .FindRange();
-  std::ostringstream why;
-  if (m_IsoValueIsSet)
-  {
-    why << "no voxel reaches the IsoValue " << m_IsoValue;
-  }
-  else if (m_LowerThresholdIsSet || m_UpperThresholdIsSet)
-  {
-    why << "no voxel is between LowerThreshold " << m_LowerThreshold << " and UpperThreshold " << m_UpperThreshold;
-  }
-  else
-  {
-    why << "no voxel has a label";
-  }
-  itkExceptionMacro("There is no object to mesh: " << why.str() << ", or no component has MinimumComponentSize "
-                                                   << m_MinimumComponentSize << " voxels; pixel values range from "
-                                                   << static_cast<double>(range.first) << " to "
-                                                   << static_cast<double>(range.second));
 }
 
 template <typename TInputImage, typename TOutputMesh>
@@ -474,6 +280,13 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::RenumberComponents(
 }
 
 template <typename TInputImage, typename TOutputMesh>
+unsigned int
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::ComputeNumberOfThreads()
+{
+  return std::min<unsigned int>(this->GetNumberOfWorkUnits(), this->GetMultiThreader()->GetMaximumNumberOfThreads());
+}
+
+template <typename TInputImage, typename TOutputMesh>
 DelaunayRefinementParameters
 DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::MakeParameters(const DelaunayRefinementLatticeOracle & oracle,
                                                                        const std::vector<std::uint32_t> &      kept)
@@ -484,8 +297,7 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::MakeParameters(const Del
   parameters.refineOutside = m_RefineOutside;
   parameters.minimumDihedralAngle = m_MinimumDihedralAngle;
   parameters.maximumNumberOfVertices = m_MaximumNumberOfVertices;
-  parameters.numberOfThreads =
-    std::min<unsigned int>(this->GetNumberOfWorkUnits(), this->GetMultiThreader()->GetMaximumNumberOfThreads());
+  parameters.numberOfThreads = this->ComputeNumberOfThreads();
   parameters.roundToFloat = sizeof(typename OutputMeshType::CoordRepType) < sizeof(double);
   parameters.progress = [this](double progress) {
     this->UpdateProgress(static_cast<float>(progress));
@@ -502,208 +314,73 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::MakeParameters(const Del
 
 template <typename TInputImage, typename TOutputMesh>
 void
-DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::VerifyGeometry(const InputImageType * image) const
-{
-  const auto & d = image->GetDirection();
-  const double determinant = d[0][0] * (d[1][1] * d[2][2] - d[1][2] * d[2][1]) -
-                             d[0][1] * (d[1][0] * d[2][2] - d[1][2] * d[2][0]) +
-                             d[0][2] * (d[1][0] * d[2][1] - d[1][1] * d[2][0]);
-  constexpr double leastDeterminant = 1e-6;
-  bool             isUsable = std::abs(determinant) >= leastDeterminant; // false for NaN
-  for (unsigned int i = 0; i < ImageDimension; ++i)
-  {
-    isUsable = isUsable && std::isfinite(image->GetOrigin()[i]) && std::isfinite(image->GetSpacing()[i]);
-  }
-  if (!isUsable)
-  {
-    itkExceptionMacro("The image's origin, spacing and direction must be finite numbers, the direction not singular");
-  }
-}
-
-template <typename TInputImage, typename TOutputMesh>
-void
-DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::VerifyPrecision(
-  const DelaunayRefinementLatticeOracle & oracle,
-  const DelaunayRefinementParameters &    parameters) const
-{
-  using CoordinateType = typename OutputMeshType::CoordRepType;
-  constexpr double largestShare = 0.05;
-  const auto       bounds = oracle.GetSurfaceBounds();
-  double           largest = 0.0;
-  for (unsigned int i = 0; i < 3; ++i)
-  {
-    largest = std::max({ largest, std::abs(bounds.minimum[i]), std::abs(bounds.maximum[i]) });
-  }
-  const double least = *std::min_element(parameters.componentDelta.begin(), parameters.componentDelta.end());
-  if (largest * static_cast<double>(std::numeric_limits<CoordinateType>::epsilon()) > largestShare * least)
-  {
-    itkExceptionMacro("Coordinates as large as " << largest << " mm can't tell points apart for Delta " << least
-                                                 << " mm in the mesh's type of coordinates; use a mesh with double "
-                                                    "coordinates, a larger Delta, or an origin nearer to 0");
-  }
-}
-
-template <typename TInputImage, typename TOutputMesh>
-void
-DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::VerifyMemory(
-  const InputImageType *                  image,
-  const DelaunayRefinementLatticeOracle & oracle,
-  const std::vector<std::uint32_t> &      kept,
-  const DelaunayRefinementParameters &    parameters) const
-{
-  // Measured: some 800 bytes for each tetrahedron of the mesh, those outside it included.
-  constexpr double megabytesPerTetrahedron = 1e-3;
-  double           megabytes = megabytesPerTetrahedron * oracle.EstimateNumberOfTetrahedra(parameters);
-  const auto &     spacing = image->GetSpacing();
-  const double     leastSpacing = *std::min_element(spacing.Begin(), spacing.End());
-  for (std::size_t i = 0; i < kept.size(); ++i)
-  {
-    if (parameters.componentDelta[i] < parameters.delta)
-    {
-      // A ball has three times its volume over its radius for a surface; no voxel has more than its six faces.
-      constexpr double                    tetrahedraPerArea = 3.4;
-      const DelaunayRefinementComponent & component = m_Components[kept[i]];
-      const double                        radius = std::max(component.inscribedRadius, 0.5 * leastSpacing);
-      megabytes += megabytesPerTetrahedron * tetrahedraPerArea * 3.0 * component.volume /
-                   (radius * parameters.componentDelta[i] * parameters.componentDelta[i]);
-    }
-  }
-  itksys::SystemInformation system;
-  system.RunMemoryCheck();
-  const double available = static_cast<double>(system.GetAvailablePhysicalMemory());
-  if (megabytes > available && available > 0.0)
-  {
-    itkExceptionMacro("Delta " << m_EffectiveDelta << " is too small for this object: the mesh would need some "
-                               << std::ceil(megabytes / 1024.0) << " GB of memory, and "
-                               << std::floor(available / 1024.0) << " GB are free; set a larger Delta or CellSize");
-  }
-}
-
-template <typename TInputImage, typename TOutputMesh>
-void
-DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::ThrowUnlessCompleted(
-  DelaunayRefinementEnums::TerminationReason reason) const
-{
-  using TerminationReason = DelaunayRefinementEnums::TerminationReason;
-  switch (reason)
-  {
-    case TerminationReason::COMPLETED:
-      return;
-    case TerminationReason::STOPPED_BY_CALLER:
-    {
-      ProcessAborted aborted(__FILE__, __LINE__);
-      aborted.SetDescription("The mesh generation was aborted");
-      aborted.SetLocation(ITK_LOCATION);
-      throw aborted;
-    }
-    case TerminationReason::VERTEX_LIMIT:
-      itkExceptionMacro("The mesh needs more vertices than MaximumNumberOfVertices, which is "
-                        << m_MaximumNumberOfVertices << "; set a larger Delta or a larger MaximumNumberOfVertices");
-    case TerminationReason::NO_SURFACE_FOUND:
-      itkExceptionMacro("There is no object to mesh: it has no surface");
-  }
-}
-
-template <typename TInputImage, typename TOutputMesh>
-void
-DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::WarnOfComponents()
-{
-  constexpr std::size_t mostShown = 10;
-  const auto            describe = [this](std::uint32_t number) {
-    const DelaunayRefinementComponent & component = m_Components[number];
-    std::ostringstream                  text;
-    text << component.numberOfVoxels << (component.numberOfVoxels == 1 ? " voxel" : " voxels") << " at ("
-         << component.firstVoxel[0] << ", " << component.firstVoxel[1] << ", " << component.firstVoxel[2] << ")";
-    return text.str();
-  };
-  const auto & missing = m_Statistics.missingComponents;
-  if (!missing.empty())
-  {
-    std::ostringstream text;
-    text << missing.size() << " of " << m_Components.size()
-         << (missing.size() == 1 ? " components is" : " components are") << " too small for Delta " << m_EffectiveDelta
-         << " mm and missing in the mesh:";
-    for (std::size_t i = 0; i < std::min(missing.size(), mostShown); ++i)
-    {
-      text << (i == 0 ? " " : ", ") << describe(missing[i]);
-    }
-    text << (missing.size() > mostShown ? ", ..." : "");
-    m_Warnings.push_back(text.str());
-  }
-  const auto & lowered = m_Statistics.loweredDeltas;
-  if (!lowered.empty())
-  {
-    const auto smallest = std::min_element(
-      lowered.begin(), lowered.end(), [](const auto & a, const auto & b) { return a.second < b.second; });
-    std::ostringstream text;
-    text << "Delta was lowered for " << lowered.size() << " of " << m_Components.size()
-         << " components that are too small for " << m_EffectiveDelta << " mm; the least is " << smallest->second
-         << " mm for " << describe(smallest->first);
-    m_Warnings.push_back(text.str());
-  }
-}
-
-template <typename TInputImage, typename TOutputMesh>
-void
 DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::CopyResult(const DelaunayRefinementResult & result,
-                                                                   InputPixelType                   label)
+                                                                   InputPixelType                   label,
+                                                                   DelaunayRefinementThreads &      threads)
 {
-  const auto copyPoints = [](const DelaunayRefinementPoint & from) {
-    typename OutputMeshType::PointType to;
-    for (unsigned int i = 0; i < 3; ++i)
-    {
-      to[i] = static_cast<typename OutputMeshType::CoordRepType>(from[i]);
-    }
-    return to;
-  };
-  constexpr IdentifierType none = NumericTraits<IdentifierType>::max();
-
-  OutputMeshType * mesh = this->GetOutput();
-  auto             points = OutputMeshType::PointsContainer::New();
-  points->Reserve(static_cast<IdentifierType>(result.points.size()));
-  for (std::size_t i = 0; i < result.points.size(); ++i)
+  try
   {
-    points->CastToSTLContainer()[i] = copyPoints(result.points[i]);
+    CopyPoints(
+      result.points, result.points.size(), [](std::uint32_t point) { return point; }, threads, this->GetOutput());
+    this->CopyCells<TetrahedronCell<typename OutputMeshType::CellType>>(
+      result.tetrahedra, label, [](std::uint32_t point) { return point; }, threads, this->GetOutput());
+
+    // The boundary's own points, numbered as they come.
+    const DelaunayRefinementFirstUses uses(
+      result.boundaryTriangles.front().data(), 3 * result.boundaryTriangles.size(), result.points.size(), &threads);
+    const auto numberOf = [&uses](std::uint32_t point) { return uses.GetNumber(point); };
+    CopyPoints(result.points, uses.GetNumberOfUsed(), numberOf, threads, this->GetBoundaryOutput());
+    this->CopyCells<TriangleCell<typename OutputMeshType::CellType>>(
+      result.boundaryTriangles, label, numberOf, threads, this->GetBoundaryOutput());
   }
-  mesh->SetPoints(points);
-  this->CopyCells<TetrahedronCell<typename OutputMeshType::CellType>>(
-    result.tetrahedra, label, [](std::uint32_t point) { return static_cast<IdentifierType>(point); }, mesh);
-
-  // The boundary's own points, numbered as they come.
-  OutputMeshType *            boundary = this->GetBoundaryOutput();
-  std::vector<IdentifierType> numbers(result.points.size(), none);
-  IdentifierType              next = 0;
-  for (const auto & triangle : result.boundaryTriangles)
+  catch (...)
   {
-    for (const std::uint32_t point : triangle)
-    {
-      if (numbers[point] == none)
+    // Half a mesh is none.
+    this->GetOutput()->Initialize();
+    this->GetBoundaryOutput()->Initialize();
+    throw;
+  }
+}
+
+template <typename TInputImage, typename TOutputMesh>
+template <typename TNumbering>
+void
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::CopyPoints(
+  const DelaunayRefinementArray<DelaunayRefinementPoint> & from,
+  std::size_t                                              number,
+  const TNumbering &                                       numberOf,
+  DelaunayRefinementThreads &                              threads,
+  OutputMeshType *                                         to)
+{
+  auto container = OutputMeshType::PointsContainer::New();
+  container->Reserve(static_cast<IdentifierType>(number));
+  auto &                points = container->CastToSTLContainer();
+  constexpr std::size_t length = 8192;
+  DelaunayRefinementThreads::RunPieces(
+    &threads, from.size(), length, [&](std::size_t, std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
       {
-        numbers[point] = next++;
+        const std::uint32_t at = numberOf(static_cast<std::uint32_t>(i));
+        if (at != DelaunayRefinementFirstUses::None)
+        {
+          for (unsigned int j = 0; j < 3; ++j)
+          {
+            points[at][j] = static_cast<typename OutputMeshType::CoordRepType>(from[i][j]);
+          }
+        }
       }
-    }
-  }
-  auto boundaryPoints = OutputMeshType::PointsContainer::New();
-  boundaryPoints->Reserve(next);
-  for (std::size_t i = 0; i < numbers.size(); ++i)
-  {
-    if (numbers[i] != none)
-    {
-      boundaryPoints->CastToSTLContainer()[numbers[i]] = copyPoints(result.points[i]);
-    }
-  }
-  boundary->SetPoints(boundaryPoints);
-  this->CopyCells<TriangleCell<typename OutputMeshType::CellType>>(
-    result.boundaryTriangles, label, [&numbers](std::uint32_t point) { return numbers[point]; }, boundary);
+    });
+  to->SetPoints(container);
 }
 
 template <typename TInputImage, typename TOutputMesh>
 template <typename TCell, typename TCellPoints, typename TNumbering>
 void
-DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::CopyCells(const std::vector<TCellPoints> & from,
-                                                                  InputPixelType                   label,
-                                                                  const TNumbering &               numberOf,
-                                                                  OutputMeshType *                 to)
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::CopyCells(const DelaunayRefinementArray<TCellPoints> & from,
+                                                                  InputPixelType                               label,
+                                                                  const TNumbering &                           numberOf,
+                                                                  DelaunayRefinementThreads &                  threads,
+                                                                  OutputMeshType *                             to)
 {
   const auto value = static_cast<typename OutputMeshType::CellPixelType>(label);
   if (static_cast<InputPixelType>(value) != label)
@@ -712,30 +389,37 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::CopyCells(const std::vec
                       << static_cast<typename NumericTraits<InputPixelType>::PrintType>(label)
                       << "; use a mesh with larger integers for cell data");
   }
-  auto cells = OutputMeshType::CellsContainer::New();
-  auto data = OutputMeshType::CellDataContainer::New();
-  cells->Reserve(static_cast<IdentifierType>(from.size()));
-  data->Reserve(static_cast<IdentifierType>(from.size()));
-  // From here on the mesh owns the cells.
+  // The mesh owns the cells, null or not, from the start: nothing is lost or deleted twice.
   to->SetCellsAllocationMethod(MeshEnums::MeshClassCellsAllocationMethod::CellsAllocatedDynamicallyCellByCell);
-  to->SetCells(cells);
-  to->SetCellData(data);
-  constexpr std::size_t cellsBetweenQuestions = 65536;
-  for (std::size_t i = 0; i < from.size(); ++i)
+  to->SetCells(OutputMeshType::CellsContainer::New());
+  to->SetCellData(OutputMeshType::CellDataContainer::New());
+  to->GetCells()->Reserve(static_cast<IdentifierType>(from.size()));
+  to->GetCellData()->Reserve(static_cast<IdentifierType>(from.size()));
+  auto & cells = to->GetCells()->CastToSTLContainer();
+  auto & data = to->GetCellData()->CastToSTLContainer();
+
+  constexpr std::size_t length = 8192;
+  std::atomic<bool>     isAborted{ false };
+  threads.Run(DelaunayRefinementThreads::CountPieces(from.size(), length), [&](std::size_t piece, unsigned int thread) {
+    if (thread == 0 && this->GetAbortGenerateData())
+    {
+      isAborted.store(true, std::memory_order_relaxed);
+    }
+    const std::size_t end = std::min(from.size(), (piece + 1) * length);
+    for (std::size_t i = piece * length; i < end && !isAborted.load(std::memory_order_relaxed); ++i)
+    {
+      auto * cell = new TCell;
+      cells[i] = cell;
+      data[i] = value;
+      for (unsigned int j = 0; j < from[i].size(); ++j)
+      {
+        cell->SetPointId(static_cast<int>(j), static_cast<IdentifierType>(numberOf(from[i][j])));
+      }
+    }
+  });
+  if (isAborted)
   {
-    if (i % cellsBetweenQuestions == 0 && this->GetAbortGenerateData())
-    {
-      this->GetOutput()->Initialize();
-      this->GetBoundaryOutput()->Initialize();
-      this->ThrowUnlessCompleted(DelaunayRefinementEnums::TerminationReason::STOPPED_BY_CALLER);
-    }
-    auto * cell = new TCell;
-    for (unsigned int j = 0; j < from[i].size(); ++j)
-    {
-      cell->SetPointId(static_cast<int>(j), numberOf(from[i][j]));
-    }
-    cells->CastToSTLContainer()[i] = cell;
-    data->CastToSTLContainer()[i] = value;
+    this->ThrowUnlessCompleted(DelaunayRefinementEnums::TerminationReason::STOPPED_BY_CALLER);
   }
 }
 
@@ -781,5 +465,7 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::PrintSelf(std::ostream &
   os << indent << "CopySeconds: " << m_CopySeconds << '\n';
 }
 } // end namespace itk
+
+#include "itkDelaunayRefinementMeshFilterChecks.hxx"
 
 #endif

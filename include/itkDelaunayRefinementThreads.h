@@ -58,6 +58,26 @@ public:
   void
   Run(std::size_t numberOfItems, const TaskType & task);
 
+  /** Is given the number of a piece, the first index in it, and the one after its last. */
+  using PieceTaskType = std::function<void(std::size_t piece, std::size_t begin, std::size_t end)>;
+
+  /** Splits the indexes 0 to \c size - 1 into pieces of \c length, the last of which may be shorter, and runs the task
+   * on each. All on the calling thread if \c threads is null. */
+  static void
+  RunPieces(DelaunayRefinementThreads * threads, std::size_t size, std::size_t length, const PieceTaskType & task);
+
+  /** A length of pieces that shares the work fairly, at least \c least: all in one piece for one thread or null. Only
+   * for work whose result does not depend on the pieces. */
+  static std::size_t
+  ChoosePieceLength(const DelaunayRefinementThreads * threads, std::size_t size, std::size_t least);
+
+  /** How many pieces of a length there are. */
+  static std::size_t
+  CountPieces(std::size_t size, std::size_t length)
+  {
+    return (size + length - 1) / length;
+  }
+
 private:
   class Impl;
   std::unique_ptr<Impl> m_Impl;

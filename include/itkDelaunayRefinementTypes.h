@@ -19,6 +19,7 @@
 #define itkDelaunayRefinementTypes_h
 
 #include "itkDelaunayRefinementEnums.h"
+#include "itkDelaunayRefinementMemory.h"
 
 #include <array>
 #include <cstddef>
@@ -128,22 +129,22 @@ extern DelaunayRefinement_EXPORT std::ostream &
 struct DelaunayRefinementResult
 {
   /** Points used by at least one tetrahedron. */
-  std::vector<DelaunayRefinementPoint> points{};
+  DelaunayRefinementArray<DelaunayRefinementPoint> points{};
 
   /** FEATURE or FREE, for each point. */
-  std::vector<DelaunayRefinementEnums::VertexKind> pointKinds{};
+  DelaunayRefinementArray<DelaunayRefinementEnums::VertexKind> pointKinds{};
 
   /** Positively oriented: det(p1 - p0, p2 - p0, p3 - p0) > 0, which is VTK's and ITK's order. */
-  std::vector<std::array<std::uint32_t, 4>> tetrahedra{};
+  DelaunayRefinementArray<std::array<std::uint32_t, 4>> tetrahedra{};
 
   /** The oracle's region of each tetrahedron's circumcenter, never 0. */
-  std::vector<std::uint32_t> regions{};
+  DelaunayRefinementArray<std::uint32_t> regions{};
 
   /** Faces of exactly one tetrahedron, counterclockwise as seen from outside. */
-  std::vector<std::array<std::uint32_t, 3>> boundaryTriangles{};
+  DelaunayRefinementArray<std::array<std::uint32_t, 3>> boundaryTriangles{};
 
   /** The region inside each boundary triangle. */
-  std::vector<std::uint32_t> boundaryRegions{};
+  DelaunayRefinementArray<std::uint32_t> boundaryRegions{};
 };
 } // end namespace itk
 

@@ -18,6 +18,7 @@
 #ifndef itkDelaunayRefinementVoxelComponents_h
 #define itkDelaunayRefinementVoxelComponents_h
 
+#include "itkDelaunayRefinementThreads.h"
 #include "itkDelaunayRefinementVoxelMask.h"
 
 #include <vector>
@@ -64,8 +65,12 @@ public:
     IndexType maximum;
   };
 
-  /** Finds the components of a mask. */
-  explicit DelaunayRefinementVoxelComponents(const DelaunayRefinementVoxelMask & mask);
+  /** The runs of all rows. */
+  using RunsType = DelaunayRefinementArray<RunType>;
+
+  /** Finds the components of a mask, on several threads if there are any. */
+  explicit DelaunayRefinementVoxelComponents(const DelaunayRefinementVoxelMask & mask,
+                                             DelaunayRefinementThreads *         threads = nullptr);
 
   /** All components, by their numbers. */
   const std::vector<ComponentInfoType> &
@@ -83,7 +88,7 @@ public:
   Find(std::int32_t x, std::int32_t y, std::int32_t z) const;
 
   /** Runs of all rows, one row after another. */
-  const std::vector<RunType> &
+  const RunsType &
   GetRuns() const
   {
     return m_Runs;
@@ -97,19 +102,41 @@ public:
   }
 
 private:
+  std::size_t
+  GetNumberOfRows() const
+  {
+    return static_cast<std::size_t>(m_Size[1]) * m_Size[2];
+  }
+
   void
-  FindRuns(const DelaunayRefinementVoxelMask & mask);
+  FindRuns(const DelaunayRefinementVoxelMask & mask, DelaunayRefinementThreads * threads);
+
+  // While runs are joined, the component of each is the number of one before it that it is joined to, or its own.
+
+  ComponentType
+  FindRoot(ComponentType run);
 
   /** Joins the runs of two rows that come within \c reach voxels of each other. */
   void
-  JoinRows(std::size_t row, std::size_t other, std::int32_t reach, std::vector<ComponentType> & parents) const;
+  JoinRows(std::size_t row, std::size_t other, std::int32_t reach);
+
+  /** Joins the rows of some slices to each other. */
+  void
+  JoinSlices(std::int32_t begin, std::int32_t end);
 
   void
-  Summarize();
+  JoinSliceToPrevious(std::int32_t z);
+
+  void
+  NumberComponents();
+
+  /** Adds the runs of some rows to what is known of components. */
+  void
+  Summarize(std::size_t beginRow, std::size_t endRow, std::vector<ComponentInfoType> & infos) const;
 
   DelaunayRefinementVoxelMask::SizeType m_Size;
-  std::vector<RunType>                  m_Runs{};
-  std::vector<std::size_t>              m_FirstRuns{};
+  RunsType                              m_Runs{};
+  DelaunayRefinementArray<std::size_t>  m_FirstRuns{};
   std::vector<ComponentInfoType>        m_Components{};
 };
 } // end namespace itk

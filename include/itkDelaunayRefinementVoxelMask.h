@@ -18,12 +18,10 @@
 #ifndef itkDelaunayRefinementVoxelMask_h
 #define itkDelaunayRefinementVoxelMask_h
 
-#include "DelaunayRefinementExport.h"
+#include "itkDelaunayRefinementMemory.h"
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
-#include <vector>
 
 namespace itk
 {
@@ -51,7 +49,7 @@ public:
     return m_Size;
   }
 
-  /** Sets the row of voxels (y, z) to isInside(0), isInside(1), ... */
+  /** Sets the row of voxels (y, z) to isInside(0), isInside(1), ... Rows may be set in parallel. */
   template <typename TPredicate>
   void
   SetRow(std::int32_t y, std::int32_t z, const TPredicate & isInside)
@@ -102,10 +100,6 @@ public:
     return low | high << 4;
   }
 
-  /** Sets bit x of \c words for each cell (x, y, z) with voxels of both kinds; as many words as a row has. */
-  void
-  FindMixedCells(std::int32_t y, std::int32_t z, std::vector<std::uint64_t> & words) const;
-
   /** The words of a row, outer layer included: bit x + 1 is voxel x. Rows are numbered from the outer layer. */
   const std::uint64_t *
   GetRow(std::int32_t paddedY, std::int32_t paddedZ) const
@@ -119,10 +113,6 @@ public:
   {
     return m_WordsPerRow;
   }
-
-  /** Number of voxels in the object. */
-  std::size_t
-  Count() const;
 
 private:
   /** Bit i is byte i, which is 0 or 1. */
@@ -157,9 +147,9 @@ private:
     return static_cast<unsigned int>((shift == 63u ? low | row[1] << 1 : low) & 3u);
   }
 
-  SizeType                   m_Size;
-  std::size_t                m_WordsPerRow;
-  std::vector<std::uint64_t> m_Words;
+  SizeType                               m_Size;
+  std::size_t                            m_WordsPerRow;
+  DelaunayRefinementArray<std::uint64_t> m_Words;
 };
 } // end namespace itk
 

@@ -95,10 +95,13 @@ public:
   /** @ITKEndGrouping */
 
   /** Takes the buffered region of the image. An interpolator other than linear and nearest neighbors has its input
-   * image set to the image if the object is defined by an iso value, else to an indicator image made here. */
-  ImageDelaunayRefinementOracle(const ImageType *  image,
-                                const ObjectType & object,
-                                InterpolatorType * interpolator = nullptr);
+   * image set to the image if the object is defined by an iso value, else to an indicator image made here; it is asked
+   * on several threads at once, by EvaluateAtContinuousIndex(), which is const. Threads, if there are any, share the
+   * work here and in what describes the object as a whole; they must outlive the oracle. */
+  ImageDelaunayRefinementOracle(const ImageType *           image,
+                                const ObjectType &          object,
+                                InterpolatorType *          interpolator = nullptr,
+                                DelaunayRefinementThreads * threads = nullptr);
 
   /** Leaves the interpolator without an input image. */
   ~ImageDelaunayRefinementOracle() override;
@@ -121,7 +124,15 @@ private:
 
   /** Sets the interpolator's input, and the mask from it. */
   void
-  PrepareField(const ImageType * image, const ObjectType & object, DelaunayRefinementVoxelMask & mask);
+  PrepareField(const ImageType *             image,
+               const ObjectType &            object,
+               DelaunayRefinementVoxelMask & mask,
+               DelaunayRefinementThreads *   threads);
+
+  /** Calls \c action with y and z of each row of voxels. */
+  template <typename TAction>
+  static void
+  ForEachRow(const DelaunayRefinementVoxelMask & mask, DelaunayRefinementThreads * threads, const TAction & action);
 
   const PixelType *                  m_Buffer;
   std::array<std::size_t, 3>         m_Strides{};

@@ -29,9 +29,10 @@
 namespace itk
 {
 template <typename TImage>
-ImageDelaunayRefinementOracle<TImage>::ImageDelaunayRefinementOracle(const ImageType *  image,
-                                                                     const ObjectType & object,
-                                                                     InterpolatorType * interpolator)
+ImageDelaunayRefinementOracle<TImage>::ImageDelaunayRefinementOracle(const ImageType *           image,
+                                                                     const ObjectType &          object,
+                                                                     InterpolatorType *          interpolator,
+                                                                     DelaunayRefinementThreads * threads)
   : m_Buffer(image->GetBufferPointer())
   , m_Level(object.definition == ObjectType::DefinitionEnum::ISO_VALUE ? object.isoValue : 0.5)
   , m_Start(image->GetBufferedRegion().GetIndex())
@@ -55,21 +56,17 @@ ImageDelaunayRefinementOracle<TImage>::ImageDelaunayRefinementOracle(const Image
   }
 
   WithPredicate(object, [&](const auto & isObject) {
-    for (std::int32_t z = 0; z < mask.GetSize()[2]; ++z)
-    {
-      for (std::int32_t y = 0; y < mask.GetSize()[1]; ++y)
-      {
-        const PixelType * row = m_Buffer + y * m_Strides[1] + z * m_Strides[2];
-        mask.SetRow(y, z, [&](std::int32_t x) { return isObject(row[x]); });
-      }
-    }
+    ForEachRow(mask, threads, [&](std::int32_t y, std::int32_t z) {
+      const PixelType * row = m_Buffer + y * m_Strides[1] + z * m_Strides[2];
+      mask.SetRow(y, z, [&](std::int32_t x) { return isObject(row[x]); });
+    });
   });
   if (model == ModelEnum::FIELD)
   {
-    this->PrepareField(image, object, mask);
+    this->PrepareField(image, object, mask, threads);
   }
 
-  DelaunayRefinementVoxelComponents components(mask);
+  DelaunayRefinementVoxelComponents components(mask, threads);
   const auto &                      infos = components.GetComponents();
   if (!infos.empty() && (object.largestComponentOnly || object.minimumComponentSize > 1))
   {
@@ -86,7 +83,27 @@ ImageDelaunayRefinementOracle<TImage>::ImageDelaunayRefinementOracle(const Image
     }
     components.Remove(isRemoved, mask);
   }
-  this->Initialize(model, ComputeFrame(image), std::move(mask), std::move(components));
+  this->Initialize(model, ComputeFrame(image), std::move(mask), std::move(components), threads);
+}
+
+template <typename TImage>
+template <typename TAction>
+void
+ImageDelaunayRefinementOracle<TImage>::ForEachRow(const DelaunayRefinementVoxelMask & mask,
+                                                  DelaunayRefinementThreads *         threads,
+                                                  const TAction &                     action)
+{
+  using Threads = DelaunayRefinementThreads;
+  constexpr std::size_t leastVoxels = 16384;
+  const auto &          size = mask.GetSize();
+  const std::size_t     rows = static_cast<std::size_t>(size[1]) * size[2];
+  const std::size_t     length = Threads::ChoosePieceLength(threads, rows, 1 + leastVoxels / size[0]);
+  Threads::RunPieces(threads, rows, length, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t row = begin; row < end; ++row)
+    {
+      action(static_cast<std::int32_t>(row % size[1]), static_cast<std::int32_t>(row / size[1]));
+    }
+  });
 }
 
 template <typename TImage>
@@ -175,7 +192,8 @@ template <typename TImage>
 void
 ImageDelaunayRefinementOracle<TImage>::PrepareField(const ImageType *             image,
                                                     const ObjectType &            object,
-                                                    DelaunayRefinementVoxelMask & mask)
+                                                    DelaunayRefinementVoxelMask & mask,
+                                                    DelaunayRefinementThreads *   threads)
 {
   if (object.definition == ObjectType::DefinitionEnum::ISO_VALUE)
   {
@@ -187,31 +205,24 @@ ImageDelaunayRefinementOracle<TImage>::PrepareField(const ImageType *           
     m_Indicator->CopyInformation(image);
     m_Indicator->SetRegions(image->GetBufferedRegion());
     m_Indicator->Allocate();
-    PixelType * pixel = m_Indicator->GetBufferPointer();
-    for (std::int32_t z = 0; z < mask.GetSize()[2]; ++z)
-    {
-      for (std::int32_t y = 0; y < mask.GetSize()[1]; ++y)
+    PixelType * const pixels = m_Indicator->GetBufferPointer();
+    ForEachRow(mask, threads, [&](std::int32_t y, std::int32_t z) {
+      PixelType * row = pixels + y * m_Strides[1] + z * m_Strides[2];
+      for (std::int32_t x = 0; x < mask.GetSize()[0]; ++x)
       {
-        for (std::int32_t x = 0; x < mask.GetSize()[0]; ++x)
-        {
-          *pixel++ = static_cast<PixelType>(mask.Get(x, y, z) ? 1 : 0);
-        }
+        row[x] = static_cast<PixelType>(mask.Get(x, y, z) ? 1 : 0);
       }
-    }
+    });
     m_Interpolator->SetInputImage(m_Indicator);
   }
   // B-splines keep the voxels' values; any other interpolator may change them.
   if (std::string(m_Interpolator->GetNameOfClass()) != "BSplineInterpolateImageFunction")
   {
-    for (std::int32_t z = 0; z < mask.GetSize()[2]; ++z)
-    {
-      for (std::int32_t y = 0; y < mask.GetSize()[1]; ++y)
-      {
-        mask.SetRow(y, z, [&](std::int32_t x) {
-          return this->IsInsideField({ static_cast<double>(x), static_cast<double>(y), static_cast<double>(z) });
-        });
-      }
-    }
+    ForEachRow(mask, threads, [&](std::int32_t y, std::int32_t z) {
+      mask.SetRow(y, z, [&](std::int32_t x) {
+        return this->IsInsideField({ static_cast<double>(x), static_cast<double>(y), static_cast<double>(z) });
+      });
+    });
   }
 }
 

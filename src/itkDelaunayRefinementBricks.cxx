@@ -30,43 +30,148 @@ constexpr std::uint64_t Layers[3][4] = {
   { 0x000F000F000F000Fu, 0x00F000F000F000F0u, 0x0F000F000F000F00u, 0xF000F000F000F000u },
   { 0x000000000000FFFFu, 0x00000000FFFF0000u, 0x0000FFFF00000000u, 0xFFFF000000000000u }
 };
+
+/** \class MixedRows
+ * \brief The cells with voxels of both kinds in 4 x 4 rows of cells, y fastest, 64 cells along x at a time. */
+class MixedRows
+{
+public:
+  MixedRows(const DelaunayRefinementVoxelMask & mask, std::int32_t brickY, std::int32_t brickZ)
+    : m_NumberOfWords(mask.GetWordsPerRow())
+  {
+    // Beyond the outer layer is more of the same.
+    for (std::int32_t z = 0; z < Side; ++z)
+    {
+      for (std::int32_t y = 0; y < Side; ++y)
+      {
+        m_Words[z][y] =
+          mask.GetRow(std::min(4 * brickY + y, mask.GetSize()[1] + 1), std::min(4 * brickZ + z, mask.GetSize()[2] + 1));
+      }
+    }
+    this->GoTo(0);
+  }
+
+  /** Sets where it is, in words. */
+  void
+  GoTo(std::size_t word)
+  {
+    m_Next = this->Summarize(word);
+    this->LookAt(word);
+  }
+
+  /** One word on. */
+  void
+  Advance()
+  {
+    this->LookAt(m_Word + 1);
+  }
+
+  /** The cells of all rows put together. */
+  std::uint64_t
+  GetAny() const
+  {
+    return m_Any;
+  }
+
+  /** The cells of one brick, a nibble of the words. */
+  std::uint64_t
+  Gather(std::int32_t nibble) const
+  {
+    std::uint64_t cells = 0;
+    for (unsigned int i = 0; i < 16; ++i)
+    {
+      cells |= (m_Mixed[i] >> (4 * nibble) & 15u) << (4 * i);
+    }
+    return cells;
+  }
+
+private:
+  static constexpr std::int32_t Side = 5;
+
+  /** Of some voxels at one x: whether any is inside, whether all are. */
+  struct PairType
+  {
+    std::uint64_t any;
+    std::uint64_t all;
+  };
+
+  static std::uint64_t
+  FindMixed(const PairType & here, const PairType & next)
+  {
+    return (here.any | here.any >> 1 | next.any << 63) & ~(here.all & (here.all >> 1 | next.all << 63));
+  }
+
+  /** Of all rows. */
+  PairType
+  Summarize(std::size_t word) const
+  {
+    PairType pair{ 0, 0 };
+    if (word < m_NumberOfWords)
+    {
+      pair.all = ~pair.all;
+      for (const auto & layer : m_Words)
+      {
+        for (const std::uint64_t * words : layer)
+        {
+          pair.any |= words[word];
+          pair.all &= words[word];
+        }
+      }
+    }
+    return pair;
+  }
+
+  /** Of the four voxels of each row of cells. */
+  using CombinedType = std::array<PairType, 16>;
+
+  CombinedType
+  Combine(std::size_t word) const
+  {
+    CombinedType combined{};
+    if (word < m_NumberOfWords)
+    {
+      for (unsigned int i = 0; i < 16; ++i)
+      {
+        const std::uint64_t voxels[4] = { m_Words[i / 4][i % 4][word],
+                                          m_Words[i / 4][i % 4 + 1][word],
+                                          m_Words[i / 4 + 1][i % 4][word],
+                                          m_Words[i / 4 + 1][i % 4 + 1][word] };
+        combined[i] = { voxels[0] | voxels[1] | voxels[2] | voxels[3], voxels[0] & voxels[1] & voxels[2] & voxels[3] };
+      }
+    }
+    return combined;
+  }
+
+  void
+  LookAt(std::size_t word)
+  {
+    const PairType here = m_Next;
+    m_Word = word;
+    m_Next = this->Summarize(word + 1);
+    m_Any = 0;
+    if (FindMixed(here, m_Next) == 0)
+    {
+      // As most are.
+      m_Mixed = {};
+      return;
+    }
+    const CombinedType rows = this->Combine(word);
+    const CombinedType nextRows = this->Combine(word + 1);
+    for (unsigned int i = 0; i < 16; ++i)
+    {
+      m_Mixed[i] = FindMixed(rows[i], nextRows[i]);
+      m_Any |= m_Mixed[i];
+    }
+  }
+
+  std::size_t                   m_NumberOfWords;
+  const std::uint64_t *         m_Words[Side][Side];
+  std::size_t                   m_Word{ 0 };
+  PairType                      m_Next{};
+  std::array<std::uint64_t, 16> m_Mixed{};
+  std::uint64_t                 m_Any{ 0 };
+};
 } // namespace
-
-std::vector<std::uint64_t>
-DelaunayRefinementBricks::FindRows(const DelaunayRefinementVoxelMask & mask,
-                                   std::int32_t                        brickY,
-                                   std::int32_t                        brickZ,
-                                   RowsType &                          rows)
-{
-  std::vector<std::uint64_t> any(mask.GetWordsPerRow(), 0);
-  for (std::int32_t i = 0; i < BrickSize * BrickSize; ++i)
-  {
-    const std::int32_t y = BrickSize * brickY + i % BrickSize;
-    const std::int32_t z = BrickSize * brickZ + i / BrickSize;
-    if (y > mask.GetSize()[1] || z > mask.GetSize()[2])
-    {
-      rows[i].assign(any.size(), 0);
-      continue;
-    }
-    mask.FindMixedCells(y, z, rows[i]);
-    for (std::size_t word = 0; word < any.size(); ++word)
-    {
-      any[word] |= rows[i][word];
-    }
-  }
-  return any;
-}
-
-std::uint64_t
-DelaunayRefinementBricks::GatherCells(const RowsType & rows, std::size_t word, std::int32_t nibble)
-{
-  std::uint64_t cells = 0;
-  for (std::size_t i = 0; i < rows.size(); ++i)
-  {
-    cells |= (rows[i][word] >> (4 * nibble) & 15u) << (4 * i);
-  }
-  return cells;
-}
 
 void
 DelaunayRefinementBricks::UpdateBounds()
@@ -98,7 +203,6 @@ DelaunayRefinementBricks::UpdateBounds()
 void
 DelaunayRefinementBricks::Update(const DelaunayRefinementVoxelMask & mask, const std::vector<BoxType> & changes)
 {
-  RowsType rows;
   for (const BoxType & box : changes)
   {
     // Cell n is before voxel n, cell n + 1 after it.
@@ -106,13 +210,17 @@ DelaunayRefinementBricks::Update(const DelaunayRefinementVoxelMask & mask, const
     {
       for (std::int32_t y = box.first[1] >> 2; y <= (box.last[1] + 1) >> 2; ++y)
       {
-        FindRows(mask, y, z, rows);
+        MixedRows rows(mask, y, z);
         for (std::int32_t x = box.first[0] >> 2; x <= (box.last[0] + 1) >> 2; ++x)
         {
+          if (x % 16 == 0 || x == box.first[0] >> 2)
+          {
+            rows.GoTo(static_cast<std::size_t>(x) / 16);
+          }
           std::int32_t & number = m_Numbers[this->ToOffset(0, { x, y, z })];
           if (number >= 0)
           {
-            m_Cells[number] = GatherCells(rows, static_cast<std::size_t>(x) / 16, x % 16);
+            m_Cells[number] = rows.Gather(x % 16);
           }
           else
           {
@@ -132,7 +240,8 @@ DelaunayRefinementBricks::Update(const DelaunayRefinementVoxelMask & mask, const
   this->UpdateBounds();
 }
 
-DelaunayRefinementBricks::DelaunayRefinementBricks(const DelaunayRefinementVoxelMask & mask)
+DelaunayRefinementBricks::DelaunayRefinementBricks(const DelaunayRefinementVoxelMask & mask,
+                                                   DelaunayRefinementThreads *         threads)
 {
   const auto & voxels = mask.GetSize();
   IndexType    size;
@@ -143,36 +252,91 @@ DelaunayRefinementBricks::DelaunayRefinementBricks(const DelaunayRefinementVoxel
   m_Levels.push_back({ size, {} });
   m_Numbers.resize(static_cast<std::size_t>(size[0]) * size[1] * size[2]);
 
-  RowsType rows;
-  for (std::int32_t z = 0; z < size[2]; ++z)
-  {
-    for (std::int32_t y = 0; y < size[1]; ++y)
+  using Threads = DelaunayRefinementThreads;
+  constexpr std::size_t leastLength = 64;
+  const std::size_t     rows = static_cast<std::size_t>(size[1]) * size[2];
+  const std::size_t     length = Threads::ChoosePieceLength(threads, rows, leastLength);
+  std::vector<PartType> parts(Threads::CountPieces(rows, length));
+  Threads::RunPieces(threads, rows, length, [&](std::size_t piece, std::size_t begin, std::size_t end) {
+    for (std::size_t row = begin; row < end; ++row)
     {
-      const auto any = FindRows(mask, y, z, rows);
-      for (std::size_t word = 0; word < any.size(); ++word)
+      this->FindBricks(
+        mask, static_cast<std::int32_t>(row % size[1]), static_cast<std::int32_t>(row / size[1]), parts[piece]);
+    }
+  });
+  this->JoinParts(parts, threads);
+  this->UpdateBounds();
+  this->MakeLevels();
+}
+
+void
+DelaunayRefinementBricks::FindBricks(const DelaunayRefinementVoxelMask & mask,
+                                     std::int32_t                        brickY,
+                                     std::int32_t                        brickZ,
+                                     PartType &                          part)
+{
+  const std::int32_t numberOfBricks = m_Levels[0].size[0];
+  std::int32_t *     numbers = m_Numbers.data() + this->ToOffset(0, { 0, brickY, brickZ });
+  MixedRows          rows(mask, brickY, brickZ);
+  for (std::int32_t first = 0; first < numberOfBricks; first += 16, rows.Advance())
+  {
+    // Bricks are nibbles of the words.
+    const std::uint64_t any = rows.GetAny();
+    const std::uint64_t inside = mask.GetRow(BrickSize * brickY, BrickSize * brickZ)[first / 16];
+    const std::int32_t  end = std::min(16, numberOfBricks - first);
+    if (any == 0 && inside + 1 < 2)
+    {
+      std::fill(numbers + first, numbers + first + end, inside == 0 ? NumberOutside : NumberInside);
+      continue;
+    }
+    for (std::int32_t nibble = 0; nibble < end; ++nibble)
+    {
+      std::int32_t & number = numbers[first + nibble];
+      if (any >> (4 * nibble) & 15u)
       {
-        // Bricks are nibbles of the words.
-        const std::int32_t first = static_cast<std::int32_t>(16 * word);
-        for (std::int32_t nibble = 0; nibble < 16 && first + nibble < size[0]; ++nibble)
-        {
-          const IndexType brick{ first + nibble, y, z };
-          std::int32_t &  number = m_Numbers[this->ToOffset(0, brick)];
-          if (any[word] >> (4 * nibble) & 15u)
-          {
-            number = static_cast<std::int32_t>(m_Cells.size());
-            m_Cells.push_back(GatherCells(rows, word, nibble));
-            m_ActiveBricks.push_back(brick);
-          }
-          else
-          {
-            number = GetNumberOfUniform(mask, brick);
-          }
-        }
+        number = static_cast<std::int32_t>(part.cells.size());
+        part.cells.push_back(rows.Gather(nibble));
+        part.active.push_back({ first + nibble, brickY, brickZ });
+      }
+      else
+      {
+        number = inside >> (4 * nibble) & 1u ? NumberInside : NumberOutside;
       }
     }
   }
-  this->UpdateBounds();
+}
 
+void
+DelaunayRefinementBricks::JoinParts(std::vector<PartType> & parts, DelaunayRefinementThreads * threads)
+{
+  if (parts.size() == 1)
+  {
+    m_Cells = std::move(parts[0].cells);
+    m_ActiveBricks = std::move(parts[0].active);
+    return;
+  }
+  std::vector<std::size_t> firsts(parts.size() + 1, 0);
+  for (std::size_t i = 0; i < parts.size(); ++i)
+  {
+    firsts[i + 1] = firsts[i] + parts[i].cells.size();
+  }
+  m_Cells.resize(firsts.back());
+  m_ActiveBricks.resize(firsts.back());
+  DelaunayRefinementThreads::RunPieces(threads, parts.size(), 1, [&](std::size_t i, std::size_t, std::size_t) {
+    const auto first = static_cast<std::ptrdiff_t>(firsts[i]);
+    std::copy(parts[i].cells.begin(), parts[i].cells.end(), m_Cells.begin() + first);
+    std::copy(parts[i].active.begin(), parts[i].active.end(), m_ActiveBricks.begin() + first);
+    for (const IndexType & brick : parts[i].active)
+    {
+      m_Numbers[this->ToOffset(0, brick)] += static_cast<std::int32_t>(first);
+    }
+  });
+}
+
+void
+DelaunayRefinementBricks::MakeLevels()
+{
+  IndexType size = m_Levels[0].size;
   while (std::max({ size[0], size[1], size[2] }) > 1)
   {
     const unsigned int below = static_cast<unsigned int>(m_Levels.size()) - 1;

@@ -18,6 +18,7 @@
 #ifndef itkDelaunayRefinementBricks_h
 #define itkDelaunayRefinementBricks_h
 
+#include "itkDelaunayRefinementThreads.h"
 #include "itkDelaunayRefinementVoxelMask.h"
 
 #include <algorithm>
@@ -45,7 +46,9 @@ public:
     IndexType last;
   };
 
-  explicit DelaunayRefinementBricks(const DelaunayRefinementVoxelMask & mask);
+  /** On several threads if there are any. */
+  explicit DelaunayRefinementBricks(const DelaunayRefinementVoxelMask & mask,
+                                    DelaunayRefinementThreads *         threads = nullptr);
 
   /** After voxels within some boxes were made outside. Nodes above level 0 may stay active without need. */
   void
@@ -132,16 +135,23 @@ public:
   }
 
 private:
-  /** The cells with surface of 4 x 4 rows, y fastest. */
-  using RowsType = std::array<std::vector<std::uint64_t>, BrickSize * BrickSize>;
+  /** What a part of the bricks has with surface, numbered from 0. */
+  struct PartType
+  {
+    std::vector<std::uint64_t> cells{};
+    std::vector<IndexType>     active{};
+  };
 
-  /** The rows of a row of bricks. Returns what any of them has. */
-  static std::vector<std::uint64_t>
-  FindRows(const DelaunayRefinementVoxelMask & mask, std::int32_t brickY, std::int32_t brickZ, RowsType & rows);
+  /** Fills in a row of bricks. */
+  void
+  FindBricks(const DelaunayRefinementVoxelMask & mask, std::int32_t brickY, std::int32_t brickZ, PartType & part);
 
-  /** The cells of one brick, a nibble of the words of its rows. */
-  static std::uint64_t
-  GatherCells(const RowsType & rows, std::size_t word, std::int32_t nibble);
+  /** Puts parts together, one after another. */
+  void
+  JoinParts(std::vector<PartType> & parts, DelaunayRefinementThreads * threads);
+
+  void
+  MakeLevels();
 
   void
   UpdateBounds();
@@ -154,12 +164,8 @@ private:
   static std::int32_t
   GetNumberOfUniform(const DelaunayRefinementVoxelMask & mask, const IndexType & brick)
   {
-    // The voxel after its first cell may be that of the outer layer.
-    const auto &       size = mask.GetSize();
-    const std::int32_t bit = std::min(BrickSize * brick[0], size[0]) + 1;
-    const auto *       row =
-      mask.GetRow(std::min(BrickSize * brick[1], size[1]) + 1, std::min(BrickSize * brick[2], size[2]) + 1);
-    return row[bit >> 6] >> (bit & 63) & 1u ? NumberInside : NumberOutside;
+    const std::uint64_t * row = mask.GetRow(BrickSize * brick[1], BrickSize * brick[2]);
+    return row[brick[0] >> 4] >> (BrickSize * (brick[0] & 15)) & 1u ? NumberInside : NumberOutside;
   }
 
   struct LevelType
@@ -178,12 +184,12 @@ private:
   bool
   IsAnyActiveBelow(unsigned int level, const IndexType & node, const IndexType & first, const IndexType & last) const;
 
-  std::vector<LevelType>     m_Levels{};
-  std::vector<std::int32_t>  m_Numbers{};
-  std::vector<std::uint64_t> m_Cells{};
-  std::vector<IndexType>     m_ActiveBricks{};
-  IndexType                  m_FirstCell{};
-  IndexType                  m_LastCell{ -1, -1, -1 };
+  std::vector<LevelType>                m_Levels{};
+  DelaunayRefinementArray<std::int32_t> m_Numbers{};
+  std::vector<std::uint64_t>            m_Cells{};
+  std::vector<IndexType>                m_ActiveBricks{};
+  IndexType                             m_FirstCell{};
+  IndexType                             m_LastCell{ -1, -1, -1 };
 };
 } // end namespace itk
 

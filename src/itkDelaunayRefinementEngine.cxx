@@ -294,7 +294,8 @@ DelaunayRefinementEngine::Impl::RunAllPhases()
   start = Clock::now();
   if (this->KeepGoing())
   {
-    m_Result = ExtractDelaunayRefinementResult(*m_Complex);
+    DelaunayRefinementThreads threads(m_Parameters.numberOfThreads);
+    m_Result = ExtractDelaunayRefinementResult(*m_Complex, &threads);
   }
   m_Statistics.extractionSeconds = SecondsSince(start);
   return m_Reason;

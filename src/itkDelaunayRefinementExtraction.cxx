@@ -17,68 +17,144 @@
  *=========================================================================*/
 #include "itkDelaunayRefinementExtraction.h"
 
+#include "itkDelaunayRefinementFirstUses.h"
+
+#include <algorithm>
+
 namespace itk
 {
 namespace
 {
 /** The vertices of the face opposite to each vertex, counterclockwise as seen from outside. */
 constexpr unsigned int FaceVertices[4][3] = { { 1, 2, 3 }, { 0, 3, 2 }, { 0, 1, 3 }, { 0, 2, 1 } };
+
+using IndexType = DelaunayRefinementComplex::IndexType;
+using TriangleType = std::array<std::uint32_t, 3>;
+using Threads = DelaunayRefinementThreads;
+
+/** Fewer are no work for a thread. */
+constexpr std::size_t LeastLength = 8192;
+
+/** Calls \c action with each index less than \c size. */
+template <typename TAction>
+void
+ForEach(Threads * threads, std::size_t size, const TAction & action)
+{
+  Threads::RunPieces(threads,
+                     size,
+                     Threads::ChoosePieceLength(threads, size, LeastLength),
+                     [&action](std::size_t, std::size_t begin, std::size_t end) {
+                       for (std::size_t i = begin; i < end; ++i)
+                       {
+                         action(i);
+                       }
+                     });
+}
+
+/** What a range of the cells has of the boundary. */
+struct BoundaryPartType
+{
+  std::vector<TriangleType>  triangles{};
+  std::vector<std::uint32_t> regions{};
+};
 } // namespace
 
 DelaunayRefinementResult
-ExtractDelaunayRefinementResult(const DelaunayRefinementComplex & complex)
+ExtractDelaunayRefinementResult(const DelaunayRefinementComplex & complex, DelaunayRefinementThreads * threads)
 {
-  using IndexType = DelaunayRefinementComplex::IndexType;
   const auto &             triangulation = complex.GetTriangulation();
+  const std::size_t        numberOfCells = triangulation.GetNumberOfCellIndexes();
+  const std::size_t        length = Threads::ChoosePieceLength(threads, numberOfCells, LeastLength);
+  const std::size_t        numberOfPieces = Threads::CountPieces(numberOfCells, length);
   DelaunayRefinementResult result;
 
-  const auto isInside = [&](IndexType cell) {
-    return triangulation.IsAlive(cell) && !triangulation.IsInfinite(cell) && complex.GetRegion(cell) != 0;
-  };
-  std::size_t numberOfTetrahedra = 0;
-  for (IndexType index = 0; index < triangulation.GetNumberOfCellIndexes(); ++index)
+  // A byte each, as every cell is asked for by its neighbors.
+  DelaunayRefinementArray<std::uint8_t> isInside(numberOfCells);
+  std::vector<std::size_t>              firsts(numberOfPieces + 1, 0);
+  Threads::RunPieces(threads, numberOfCells, length, [&](std::size_t piece, std::size_t begin, std::size_t end) {
+    std::size_t count = 0;
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      // Infinite cells are outside.
+      const auto cell = static_cast<IndexType>(i);
+      isInside[i] = triangulation.IsAlive(cell) && complex.GetRegion(cell) != 0 ? 1 : 0;
+      count += isInside[i];
+    }
+    firsts[piece + 1] = count;
+  });
+  for (std::size_t i = 0; i < numberOfPieces; ++i)
   {
-    numberOfTetrahedra += isInside(index) ? 1 : 0;
+    firsts[i + 1] += firsts[i];
   }
-  result.tetrahedra.reserve(numberOfTetrahedra);
-  result.regions.reserve(numberOfTetrahedra);
-  result.points.reserve(complex.GetNumberOfVertices());
-  result.pointKinds.reserve(complex.GetNumberOfVertices());
 
-  std::vector<IndexType> numbers(triangulation.GetNumberOfVertexIndexes(), DelaunayRefinementComplex::None);
-  const auto             numberOf = [&](IndexType vertex) {
-    if (numbers[vertex] == DelaunayRefinementComplex::None)
+  // With the numbers that vertices have in the triangulation, first.
+  std::vector<BoundaryPartType> parts(numberOfPieces);
+  result.tetrahedra.resize(firsts.back());
+  result.regions.resize(firsts.back());
+  Threads::RunPieces(threads, numberOfCells, length, [&](std::size_t piece, std::size_t begin, std::size_t end) {
+    std::size_t next = firsts[piece];
+    for (std::size_t i = begin; i < end; ++i)
     {
-      numbers[vertex] = static_cast<IndexType>(result.points.size());
-      result.points.push_back(complex.GetPoint(vertex));
-      result.pointKinds.push_back(complex.GetKind(vertex));
-    }
-    return numbers[vertex];
-  };
-  for (IndexType index = 0; index < triangulation.GetNumberOfCellIndexes(); ++index)
-  {
-    if (!isInside(index))
-    {
-      continue;
-    }
-    const auto &                 cell = triangulation.GetCell(index);
-    std::array<std::uint32_t, 4> tetrahedron;
-    for (unsigned int i = 0; i < 4; ++i)
-    {
-      tetrahedron[i] = numberOf(cell.vertices[i]);
-    }
-    result.tetrahedra.push_back(tetrahedron);
-    result.regions.push_back(complex.GetRegion(index));
-    for (unsigned int i = 0; i < 4; ++i)
-    {
-      if (!isInside(cell.neighbors[i]))
+      if (!isInside[i])
       {
-        const auto & face = FaceVertices[i];
-        result.boundaryTriangles.push_back({ tetrahedron[face[0]], tetrahedron[face[1]], tetrahedron[face[2]] });
-        result.boundaryRegions.push_back(complex.GetRegion(index));
+        continue;
+      }
+      const auto & cell = triangulation.GetCell(static_cast<IndexType>(i));
+      const auto   region = complex.GetRegion(static_cast<IndexType>(i));
+      result.tetrahedra[next] = cell.vertices;
+      result.regions[next] = region;
+      ++next;
+      for (unsigned int j = 0; j < 4; ++j)
+      {
+        if (!isInside[cell.neighbors[j]])
+        {
+          const auto & face = FaceVertices[j];
+          parts[piece].triangles.push_back({ cell.vertices[face[0]], cell.vertices[face[1]], cell.vertices[face[2]] });
+          parts[piece].regions.push_back(region);
+        }
       }
     }
+  });
+
+  // Points are numbered as the tetrahedra use them.
+  const DelaunayRefinementFirstUses uses(result.tetrahedra.empty() ? nullptr : result.tetrahedra.front().data(),
+                                         4 * result.tetrahedra.size(),
+                                         triangulation.GetNumberOfVertexIndexes(),
+                                         threads);
+  result.points.resize(uses.GetNumberOfUsed());
+  result.pointKinds.resize(uses.GetNumberOfUsed());
+  ForEach(threads, triangulation.GetNumberOfVertexIndexes(), [&](std::size_t i) {
+    const auto          vertex = static_cast<IndexType>(i);
+    const std::uint32_t number = uses.GetNumber(vertex);
+    if (number != DelaunayRefinementFirstUses::None)
+    {
+      result.points[number] = complex.GetPoint(vertex);
+      result.pointKinds[number] = complex.GetKind(vertex);
+    }
+  });
+  ForEach(threads, result.tetrahedra.size(), [&](std::size_t i) {
+    for (std::uint32_t & vertex : result.tetrahedra[i])
+    {
+      vertex = uses.GetNumber(vertex);
+    }
+  });
+
+  for (std::size_t i = 0; i < numberOfPieces; ++i)
+  {
+    firsts[i + 1] = firsts[i] + parts[i].triangles.size();
   }
+  result.boundaryTriangles.resize(firsts.back());
+  result.boundaryRegions.resize(firsts.back());
+  Threads::RunPieces(threads, numberOfPieces, 1, [&](std::size_t piece, std::size_t, std::size_t) {
+    std::size_t next = firsts[piece];
+    for (const TriangleType & t : parts[piece].triangles)
+    {
+      result.boundaryTriangles[next++] = { uses.GetNumber(t[0]), uses.GetNumber(t[1]), uses.GetNumber(t[2]) };
+    }
+    std::copy(parts[piece].regions.begin(),
+              parts[piece].regions.end(),
+              result.boundaryRegions.begin() + static_cast<std::ptrdiff_t>(firsts[piece]));
+  });
   return result;
 }
 } // end namespace itk

@@ -19,16 +19,17 @@
 #define itkDelaunayRefinementExtraction_h
 
 #include "itkDelaunayRefinementComplex.h"
+#include "itkDelaunayRefinementThreads.h"
 
 namespace itk
 {
 /** The mesh: the tetrahedra whose circumcenters are inside (section III), their points, and the facets between them and
- * the rest.
+ * the rest. On several threads if there are any, with the same result.
  *
  * \ingroup DelaunayRefinement
  */
 DelaunayRefinementResult
-ExtractDelaunayRefinementResult(const DelaunayRefinementComplex & complex);
+ExtractDelaunayRefinementResult(const DelaunayRefinementComplex & complex, DelaunayRefinementThreads * threads);
 } // end namespace itk
 
 #endif

@@ -38,10 +38,14 @@ constexpr double SmallestCube = 1.0 / 64.0;
 class DelaunayRefinementLatticeOracle::ClosestSearch
 {
 public:
-  ClosestSearch(const DelaunayRefinementLatticeOracle & oracle, const PointType & lattice, double maximumDistance)
+  ClosestSearch(const DelaunayRefinementLatticeOracle & oracle,
+                const PointType &                       lattice,
+                double                                  maximumDistance,
+                double                                  nearEnough = 0.0)
     : m_Oracle(oracle)
     , m_Query(lattice)
     , m_Best(maximumDistance * maximumDistance)
+    , m_NearEnough(nearEnough * nearEnough)
   {}
 
   bool
@@ -218,7 +222,7 @@ private:
         if (squared <= m_Best)
         {
           // Nothing is nearer than less than nothing: the search ends.
-          m_Best = m_IsAnyEnough ? -1.0 : squared;
+          m_Best = m_IsAnyEnough || squared < m_NearEnough ? -1.0 : squared;
           m_Closest = lattice;
           m_IsFound = true;
         }
@@ -241,6 +245,7 @@ private:
   const DelaunayRefinementLatticeOracle & m_Oracle;
   PointType                               m_Query;
   double                                  m_Best;
+  double                                  m_NearEnough;
   PointType                               m_Closest{};
   bool                                    m_IsFound{ false };
   bool                                    m_IsAnyEnough{ false };
@@ -251,8 +256,17 @@ DelaunayRefinementLatticeOracle::FindClosestSurfacePoint(const PointType & point
                                                          double            maximumDistance,
                                                          PointType &       closest) const
 {
+  return this->FindClosestSurfacePoint(point, maximumDistance, 0.0, closest);
+}
+
+bool
+DelaunayRefinementLatticeOracle::FindClosestSurfacePoint(const PointType & point,
+                                                         double            maximumDistance,
+                                                         double            nearEnough,
+                                                         PointType &       closest) const
+{
   PointType lattice;
-  if (!ClosestSearch(*this, this->ToLattice(point), maximumDistance).Run(lattice))
+  if (!ClosestSearch(*this, this->ToLattice(point), maximumDistance, nearEnough).Run(lattice))
   {
     return false;
   }

@@ -28,6 +28,7 @@ namespace itk
 namespace
 {
 using Geometry = DelaunayRefinementGeometry;
+using Threads = DelaunayRefinementThreads;
 
 /** Tetrahedra of the mesh for each delta squared of surface, as measured on brains and livers. */
 constexpr double TetrahedraPerArea = 3.4;
@@ -36,6 +37,9 @@ constexpr double TetrahedraPerArea = 3.4;
 constexpr double TetrahedraPerVolume = 6.0;
 
 constexpr double MostDefaultTetrahedra = 3e5;
+
+/** Components differ much in the time they take. */
+constexpr std::size_t ComponentsPerPiece = 4;
 
 /** The default delta is at least this many voxels. */
 constexpr double DefaultDeltaInVoxels = 1.5;
@@ -70,26 +74,28 @@ DelaunayRefinementLatticeOracle::ComputeComponents(double enough) const
   const std::vector<IndexType> centers = this->FindThickVoxels(2.0 * enough + this->GetLeastSpacing());
   const double                 voxelVolume =
     std::abs(Geometry::Dot(m_Frame.axes[0], Geometry::Cross(m_Frame.axes[1], m_Frame.axes[2])));
-  std::vector<DelaunayRefinementComponent> components(infos.size());
   // Single voxels of a mask look the same everywhere.
-  const bool isMask = m_Model == ModelEnum::INDICATOR || m_Model == ModelEnum::NEAREST;
-  for (std::size_t i = 0; i < infos.size(); ++i)
-  {
-    const IndexType & first = infos[i].firstVoxel;
-    components[i].numberOfVoxels = infos[i].numberOfVoxels;
-    components[i].volume = voxelVolume * static_cast<double>(infos[i].numberOfVoxels);
-    components[i].firstVoxel = this->ToPhysical(PointType{ first[0] + 1.0, first[1] + 1.0, first[2] + 1.0 });
-    components[i].inscribedRadius = isMask && infos[i].numberOfVoxels < FewVoxels
-                                      ? RadiusOfVoxel * this->GetLeastSpacing()
-                                      : this->ClimbToInscribedRadius(centers[i], enough);
-  }
+  const bool                               isMask = m_Model == ModelEnum::INDICATOR || m_Model == ModelEnum::NEAREST;
+  std::vector<DelaunayRefinementComponent> components(infos.size());
+  Threads::RunPieces(m_Threads, infos.size(), ComponentsPerPiece, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      const IndexType & first = infos[i].firstVoxel;
+      components[i].numberOfVoxels = infos[i].numberOfVoxels;
+      components[i].volume = voxelVolume * static_cast<double>(infos[i].numberOfVoxels);
+      components[i].firstVoxel = this->ToPhysical(PointType{ first[0] + 1.0, first[1] + 1.0, first[2] + 1.0 });
+      components[i].inscribedRadius = isMask && infos[i].numberOfVoxels < FewVoxels
+                                        ? RadiusOfVoxel * this->GetLeastSpacing()
+                                        : this->ClimbToInscribedRadius(centers[i], enough);
+    }
+  });
   return components;
 }
 
-std::vector<DelaunayRefinementLatticeOracle::IndexType>
-DelaunayRefinementLatticeOracle::FindThickVoxels(double enough) const
+std::vector<DelaunayRefinementLatticeOracle::CandidateType>
+DelaunayRefinementLatticeOracle::ChooseCandidates() const
 {
-  // The middles of some runs of each component; the thickness is that along the axis where it is least.
+  // The middles of every so many runs of each component.
   constexpr std::size_t    mostCandidates = 256;
   const auto &             runs = m_Components->GetRuns();
   const auto &             size = m_Mask->GetSize();
@@ -98,47 +104,74 @@ DelaunayRefinementLatticeOracle::FindThickVoxels(double enough) const
   {
     ++numbersOfRuns[run.component];
   }
-  std::vector<std::size_t> seen(numbersOfRuns.size(), 0);
-  std::vector<IndexType>   thickest(numbersOfRuns.size());
-
-  std::vector<std::pair<double, double>> best(numbersOfRuns.size());
-  const auto                             measure = [&](const IndexType & voxel, unsigned int axis) {
-    const double spacing = std::sqrt(m_Gram[axis][axis]);
-    IndexType    low = voxel;
-    IndexType    high = voxel;
-    double       width = 0.0;
-    while (width < enough && m_Mask->Get(low[0], low[1], low[2]) && m_Mask->Get(high[0], high[1], high[2]))
-    {
-      --low[axis];
-      ++high[axis];
-      width += spacing;
-    }
-    return width;
-  };
+  std::vector<std::size_t>   runsToSkip(numbersOfRuns.size(), 0);
+  std::vector<CandidateType> candidates;
   for (std::int32_t z = 0; z < size[2]; ++z)
   {
     for (std::int32_t y = 0; y < size[1]; ++y)
     {
-      for (std::size_t i = m_Components->GetFirstRun(y, z); i < m_Components->GetFirstRun(y + 1, z); ++i)
+      const std::size_t end = m_Components->GetFirstRun(y + 1, z);
+      for (std::size_t i = m_Components->GetFirstRun(y, z); i < end; ++i)
       {
-        const auto &      run = runs[i];
-        const std::size_t stride = 1 + numbersOfRuns[run.component] / mostCandidates;
-        if (seen[run.component]++ % stride == 0)
+        const auto &  run = runs[i];
+        std::size_t & toSkip = runsToSkip[run.component];
+        if (toSkip == 0)
         {
-          const IndexType             voxel{ (run.first + run.last) / 2, y, z };
-          const std::array<double, 3> widths{ measure(voxel, 0), measure(voxel, 1), measure(voxel, 2) };
-          // Between equals the sum decides, for grey values their height above the level.
-          const double                    width = *std::min_element(widths.begin(), widths.end());
-          const std::pair<double, double> thickness =
-            m_Model == ModelEnum::GREY ? std::make_pair(width, this->GetVoxelValue(voxel[0], voxel[1], voxel[2]))
-                                       : std::make_pair(width + 1e-3 * (widths[0] + widths[1] + widths[2]), 0.0);
-          if (thickness > best[run.component])
-          {
-            best[run.component] = thickness;
-            thickest[run.component] = voxel;
-          }
+          candidates.push_back({ { (run.first + run.last) / 2, y, z }, run.component });
+          toSkip = 1 + numbersOfRuns[run.component] / mostCandidates;
         }
+        --toSkip;
       }
+    }
+  }
+  return candidates;
+}
+
+std::pair<double, double>
+DelaunayRefinementLatticeOracle::MeasureThickness(const IndexType & voxel, double enough) const
+{
+  std::array<double, 3> widths{};
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    const double spacing = std::sqrt(m_Gram[axis][axis]);
+    IndexType    low = voxel;
+    IndexType    high = voxel;
+    while (widths[axis] < enough && m_Mask->Get(low[0], low[1], low[2]) && m_Mask->Get(high[0], high[1], high[2]))
+    {
+      --low[axis];
+      ++high[axis];
+      widths[axis] += spacing;
+    }
+  }
+  // Between equals the sum decides, for grey values their height above the level.
+  const double width = *std::min_element(widths.begin(), widths.end());
+  return m_Model == ModelEnum::GREY ? std::make_pair(width, this->GetVoxelValue(voxel[0], voxel[1], voxel[2]))
+                                    : std::make_pair(width + 1e-3 * (widths[0] + widths[1] + widths[2]), 0.0);
+}
+
+std::vector<DelaunayRefinementLatticeOracle::IndexType>
+DelaunayRefinementLatticeOracle::FindThickVoxels(double enough) const
+{
+  constexpr std::size_t                  leastLength = 64;
+  const std::vector<CandidateType>       candidates = this->ChooseCandidates();
+  std::vector<std::pair<double, double>> thicknesses(candidates.size());
+  Threads::RunPieces(m_Threads,
+                     candidates.size(),
+                     Threads::ChoosePieceLength(m_Threads, candidates.size(), leastLength),
+                     [&](std::size_t, std::size_t begin, std::size_t end) {
+                       for (std::size_t i = begin; i < end; ++i)
+                       {
+                         thicknesses[i] = this->MeasureThickness(candidates[i].voxel, enough);
+                       }
+                     });
+  std::vector<IndexType>                 thickest(m_Components->GetComponents().size());
+  std::vector<std::pair<double, double>> best(thickest.size());
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+  {
+    if (thicknesses[i] > best[candidates[i].component])
+    {
+      best[candidates[i].component] = thicknesses[i];
+      thickest[candidates[i].component] = candidates[i].voxel;
     }
   }
   return thickest;
@@ -150,12 +183,13 @@ DelaunayRefinementLatticeOracle::ClimbToInscribedRadius(const IndexType & voxel,
   constexpr unsigned int maximumNumberOfSteps = 16;
   constexpr double       smallestGain = 0.05;
   PointType              point = this->ToPhysical(PointType{ voxel[0] + 1.0, voxel[1] + 1.0, voxel[2] + 1.0 });
-  const auto             radiusAt = [&](const PointType & p, PointType & closest) {
-    return this->Classify(p) != 0 && this->FindClosestSurfacePoint(p, enough, closest) ? Geometry::Distance(p, closest)
-                                                                                                   : -1.0;
+  const auto             radiusAt = [&](const PointType & p, double nearEnough, PointType & closest) {
+    return this->Classify(p) != 0 && this->FindClosestSurfacePoint(p, enough, nearEnough, closest)
+                         ? Geometry::Distance(p, closest)
+                         : -1.0;
   };
   PointType closest;
-  double    radius = radiusAt(point, closest);
+  double    radius = radiusAt(point, 0.0, closest);
   if (radius < 0.0)
   {
     // Nothing near, if inside at all.
@@ -170,13 +204,14 @@ DelaunayRefinementLatticeOracle::ClimbToInscribedRadius(const IndexType & voxel,
       stride *= 0.5;
       continue;
     }
+    const double leastRadius = radius * (1.0 + smallestGain);
     PointType    nextClosest;
-    const double nextRadius = radiusAt(next, nextClosest);
+    const double nextRadius = radiusAt(next, leastRadius, nextClosest);
     if (nextRadius < 0.0)
     {
       return enough;
     }
-    if (nextRadius > radius * (1.0 + smallestGain))
+    if (nextRadius > leastRadius)
     {
       point = next;
       closest = nextClosest;
@@ -193,14 +228,19 @@ DelaunayRefinementLatticeOracle::ClimbToInscribedRadius(const IndexType & voxel,
 double
 DelaunayRefinementLatticeOracle::EstimateSurfaceArea() const
 {
-  std::array<double, 3>               faces{};
-  const DelaunayRefinementVoxelMask & mask = *m_Mask;
-  const auto &                        size = mask.GetSize();
-  const std::size_t                   words = mask.GetWordsPerRow();
-  for (std::int32_t z = 0; z <= size[2]; ++z)
-  {
-    for (std::int32_t y = 0; y <= size[1]; ++y)
+  const DelaunayRefinementVoxelMask &     mask = *m_Mask;
+  constexpr std::size_t                   leastLength = 512;
+  const std::size_t                       rowsPerSlice = static_cast<std::size_t>(mask.GetSize()[1]) + 1;
+  const std::size_t                       rows = rowsPerSlice * (static_cast<std::size_t>(mask.GetSize()[2]) + 1);
+  const std::size_t                       words = mask.GetWordsPerRow();
+  const std::size_t                       length = Threads::ChoosePieceLength(m_Threads, rows, leastLength);
+  std::vector<std::array<std::size_t, 3>> facesOfPieces(Threads::CountPieces(rows, length));
+  Threads::RunPieces(m_Threads, rows, length, [&](std::size_t piece, std::size_t begin, std::size_t end) {
+    std::array<std::size_t, 3> faces{};
+    for (std::size_t r = begin; r < end; ++r)
     {
+      const auto            y = static_cast<std::int32_t>(r % rowsPerSlice);
+      const auto            z = static_cast<std::int32_t>(r / rowsPerSlice);
       const std::uint64_t * row = mask.GetRow(y, z);
       const std::uint64_t * nextY = mask.GetRow(y + 1, z);
       const std::uint64_t * nextZ = mask.GetRow(y, z + 1);
@@ -217,6 +257,15 @@ DelaunayRefinementLatticeOracle::EstimateSurfaceArea() const
         }
       }
     }
+    facesOfPieces[piece] = faces;
+  });
+  std::array<double, 3> faces{};
+  for (const auto & some : facesOfPieces)
+  {
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      faces[axis] += static_cast<double>(some[axis]);
+    }
   }
   // Over all orientations the faces of voxels have on average one and a half times the area of the smooth surface.
   double area = 0.0;
@@ -231,8 +280,13 @@ DelaunayRefinementLatticeOracle::EstimateSurfaceArea() const
 double
 DelaunayRefinementLatticeOracle::ComputeVoxelVolume() const
 {
+  std::size_t numberOfVoxels = 0;
+  for (const auto & info : m_Components->GetComponents())
+  {
+    numberOfVoxels += info.numberOfVoxels;
+  }
   return std::abs(Geometry::Dot(m_Frame.axes[0], Geometry::Cross(m_Frame.axes[1], m_Frame.axes[2]))) *
-         static_cast<double>(m_Mask->Count());
+         static_cast<double>(numberOfVoxels);
 }
 
 double
@@ -277,5 +331,14 @@ DelaunayRefinementLatticeOracle::EstimateNumberOfTetrahedra(const DelaunayRefine
   const double surface = TetrahedraPerArea * this->EstimateSurfaceArea() / (parameters.delta * parameters.delta);
   const double volume = TetrahedraPerVolume * this->ComputeVoxelVolume() / std::pow(parameters.cellSize, 3);
   return surface + volume;
+}
+
+double
+DelaunayRefinementLatticeOracle::EstimateNumberOfTetrahedra(const DelaunayRefinementComponent & component,
+                                                            double                              delta) const
+{
+  // A ball has three times its volume over its radius for a surface; no voxel has more than its six faces.
+  const double radius = std::max(component.inscribedRadius, 0.5 * this->GetLeastSpacing());
+  return TetrahedraPerArea * 3.0 * component.volume / (radius * delta * delta);
 }
 } // end namespace itk

@@ -54,8 +54,10 @@ void
 DelaunayRefinementLatticeOracle::Initialize(ModelEnum                         model,
                                             const FrameType &                 frame,
                                             DelaunayRefinementVoxelMask       mask,
-                                            DelaunayRefinementVoxelComponents components)
+                                            DelaunayRefinementVoxelComponents components,
+                                            DelaunayRefinementThreads *       threads)
 {
+  m_Threads = threads;
   m_Model = model;
   m_Frame = frame;
   const auto & axes = frame.axes;
@@ -81,7 +83,7 @@ DelaunayRefinementLatticeOracle::Initialize(ModelEnum                         mo
   m_LeastStretch = std::max(0.0, ComputeLeastEigenvalue(cosine(0, 1), cosine(0, 2), cosine(1, 2)) - noShear);
   m_Mask = std::make_unique<DelaunayRefinementVoxelMask>(std::move(mask));
   m_Components = std::make_unique<DelaunayRefinementVoxelComponents>(std::move(components));
-  m_Bricks = std::make_unique<DelaunayRefinementBricks>(*m_Mask);
+  m_Bricks = std::make_unique<DelaunayRefinementBricks>(*m_Mask, m_Threads);
   for (unsigned int corner = 0; corner < 8; ++corner)
   {
     for (unsigned int i = 0; i < 3; ++i)

@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkDelaunayRefinementThreads.h"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
@@ -189,5 +190,38 @@ void
 DelaunayRefinementThreads::Run(std::size_t numberOfItems, const TaskType & task)
 {
   m_Impl->Run(numberOfItems, task);
+}
+
+void
+DelaunayRefinementThreads::RunPieces(DelaunayRefinementThreads * threads,
+                                     std::size_t                 size,
+                                     std::size_t                 length,
+                                     const PieceTaskType &       task)
+{
+  const std::size_t numberOfPieces = CountPieces(size, length);
+  const auto        runPiece = [&](std::size_t piece, unsigned int) {
+    task(piece, piece * length, std::min(size, (piece + 1) * length));
+  };
+  if (threads != nullptr)
+  {
+    threads->Run(numberOfPieces, runPiece);
+    return;
+  }
+  for (std::size_t piece = 0; piece < numberOfPieces; ++piece)
+  {
+    runPiece(piece, 0);
+  }
+}
+
+std::size_t
+DelaunayRefinementThreads::ChoosePieceLength(const DelaunayRefinementThreads * threads,
+                                             std::size_t                       size,
+                                             std::size_t                       least)
+{
+  // Some more than threads, as some threads are slower than others.
+  constexpr std::size_t piecesPerThread = 4;
+  const std::size_t     numberOfThreads = threads == nullptr ? 1 : threads->GetNumberOfThreads();
+  const std::size_t     numberOfPieces = numberOfThreads == 1 ? 1 : piecesPerThread * numberOfThreads;
+  return std::max({ CountPieces(size, numberOfPieces), least, std::size_t{ 1 } });
 }
 } // end namespace itk

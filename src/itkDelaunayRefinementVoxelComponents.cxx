@@ -27,17 +27,11 @@ namespace itk
 namespace
 {
 using ComponentType = DelaunayRefinementVoxelComponents::ComponentType;
+using ComponentInfoType = DelaunayRefinementVoxelComponents::ComponentInfoType;
+using Threads = DelaunayRefinementThreads;
 
-ComponentType
-FindRoot(std::vector<ComponentType> & parents, ComponentType node)
-{
-  while (parents[node] != node)
-  {
-    parents[node] = parents[parents[node]];
-    node = parents[node];
-  }
-  return node;
-}
+/** Fewer rows are no work for a thread. */
+constexpr std::size_t LeastRowsPerPiece = 512;
 
 /** The lowest bit at or after \c from for which the words are \c value. */
 std::int32_t
@@ -54,85 +48,130 @@ FindBit(const std::uint64_t * words, std::int32_t from, std::int32_t end, bool v
   }
   return end;
 }
+
+std::size_t
+CountRuns(const std::uint64_t * words, std::size_t numberOfWords)
+{
+  std::size_t   count = 0;
+  std::uint64_t carry = 0;
+  for (std::size_t i = 0; i < numberOfWords; ++i)
+  {
+    const std::uint64_t starts = words[i] & ~(words[i] << 1 | carry);
+    count += starts == 0 ? 0 : CountDelaunayRefinementBits(starts);
+    carry = words[i] >> 63;
+  }
+  return count;
+}
+
+/** What two parts of the rows, one after the other, know of one component. */
+void
+AddInfo(ComponentInfoType & info, const ComponentInfoType & after)
+{
+  if (info.numberOfVoxels == 0)
+  {
+    info = after;
+    return;
+  }
+  info.numberOfVoxels += after.numberOfVoxels;
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    info.minimum[i] = std::min(info.minimum[i], after.minimum[i]);
+    info.maximum[i] = std::max(info.maximum[i], after.maximum[i]);
+  }
+}
 } // namespace
 
-DelaunayRefinementVoxelComponents::DelaunayRefinementVoxelComponents(const DelaunayRefinementVoxelMask & mask)
+DelaunayRefinementVoxelComponents::DelaunayRefinementVoxelComponents(const DelaunayRefinementVoxelMask & mask,
+                                                                     DelaunayRefinementThreads *         threads)
   : m_Size(mask.GetSize())
 {
-  this->FindRuns(mask);
-  std::vector<ComponentType> parents(m_Runs.size());
-  for (std::size_t i = 0; i < parents.size(); ++i)
+  this->FindRuns(mask, threads);
+
+  // Pieces first, each by itself, then their seams.
+  const std::size_t slices = m_Size[2];
+  const std::size_t slicesPerPiece = Threads::ChoosePieceLength(threads, slices, 1 + LeastRowsPerPiece / m_Size[1]);
+  Threads::RunPieces(threads, slices, slicesPerPiece, [this](std::size_t, std::size_t begin, std::size_t end) {
+    this->JoinSlices(static_cast<std::int32_t>(begin), static_cast<std::int32_t>(end));
+  });
+  for (std::size_t z = slicesPerPiece; z < slices; z += slicesPerPiece)
   {
-    parents[i] = static_cast<ComponentType>(i);
+    this->JoinSliceToPrevious(static_cast<std::int32_t>(z));
   }
-  const std::size_t rowsPerSlice = m_Size[1];
-  for (std::int32_t z = 0; z < m_Size[2]; ++z)
+  this->NumberComponents();
+
+  // Each piece has its own list of components, which is to be shorter than its list of runs.
+  const std::size_t rows = this->GetNumberOfRows();
+  const std::size_t rowsPerPiece = Threads::ChoosePieceLength(
+    threads, rows, std::max(LeastRowsPerPiece, 4 * rows * m_Components.size() / (m_Runs.size() + 1)));
+  std::vector<std::vector<ComponentInfoType>> parts(Threads::CountPieces(rows, rowsPerPiece), m_Components);
+  Threads::RunPieces(threads, rows, rowsPerPiece, [&](std::size_t piece, std::size_t begin, std::size_t end) {
+    this->Summarize(begin, end, parts[piece]);
+  });
+  for (const auto & part : parts)
   {
-    for (std::int32_t y = 0; y < m_Size[1]; ++y)
+    for (std::size_t i = 0; i < part.size(); ++i)
     {
-      const std::size_t row = static_cast<std::size_t>(z) * rowsPerSlice + y;
-      // Two voxels are joined if at most two of their indexes differ, by one.
-      if (y > 0)
-      {
-        this->JoinRows(row, row - 1, 1, parents);
-      }
-      if (z > 0)
-      {
-        this->JoinRows(row, row - rowsPerSlice, 1, parents);
-        if (y > 0)
-        {
-          this->JoinRows(row, row - rowsPerSlice - 1, 0, parents);
-        }
-        if (y + 1 < m_Size[1])
-        {
-          this->JoinRows(row, row - rowsPerSlice + 1, 0, parents);
-        }
-      }
+      AddInfo(m_Components[i], part[i]);
     }
   }
-  std::vector<ComponentType> numbers(m_Runs.size(), std::numeric_limits<ComponentType>::max());
-  ComponentType              next = 0;
-  for (std::size_t i = 0; i < m_Runs.size(); ++i)
-  {
-    ComponentType & number = numbers[FindRoot(parents, static_cast<ComponentType>(i))];
-    if (number == std::numeric_limits<ComponentType>::max())
-    {
-      number = next++;
-    }
-    m_Runs[i].component = number;
-  }
-  m_Components.resize(next);
-  this->Summarize();
 }
 
 void
-DelaunayRefinementVoxelComponents::FindRuns(const DelaunayRefinementVoxelMask & mask)
+DelaunayRefinementVoxelComponents::FindRuns(const DelaunayRefinementVoxelMask & mask,
+                                            DelaunayRefinementThreads *         threads)
 {
-  m_FirstRuns.reserve(static_cast<std::size_t>(m_Size[1]) * m_Size[2] + 1);
-  const std::int32_t end = m_Size[0] + 1;
-  for (std::int32_t z = 0; z < m_Size[2]; ++z)
-  {
-    for (std::int32_t y = 0; y < m_Size[1]; ++y)
+  const std::size_t rows = this->GetNumberOfRows();
+  const std::size_t length = Threads::ChoosePieceLength(threads, rows, LeastRowsPerPiece);
+  const auto        wordsOf = [&](std::size_t row) {
+    return mask.GetRow(static_cast<std::int32_t>(row % m_Size[1]) + 1, static_cast<std::int32_t>(row / m_Size[1]) + 1);
+  };
+  // Each row's number of runs at first.
+  m_FirstRuns.resize(rows + 1);
+  std::vector<std::size_t> firstOfPieces(Threads::CountPieces(rows, length) + 1, 0);
+  Threads::RunPieces(threads, rows, length, [&](std::size_t piece, std::size_t begin, std::size_t end) {
+    for (std::size_t row = begin; row < end; ++row)
     {
-      m_FirstRuns.push_back(m_Runs.size());
-      const std::uint64_t * words = mask.GetRow(y + 1, z + 1);
-      std::int32_t          bit = FindBit(words, 1, end, true);
-      while (bit < end)
+      m_FirstRuns[row] = CountRuns(wordsOf(row), mask.GetWordsPerRow());
+      firstOfPieces[piece + 1] += m_FirstRuns[row];
+    }
+  });
+  for (std::size_t i = 1; i < firstOfPieces.size(); ++i)
+  {
+    firstOfPieces[i] += firstOfPieces[i - 1];
+  }
+  m_FirstRuns[rows] = firstOfPieces.back();
+  m_Runs.resize(firstOfPieces.back());
+  Threads::RunPieces(threads, rows, length, [&](std::size_t piece, std::size_t begin, std::size_t end) {
+    std::size_t next = firstOfPieces[piece];
+    for (std::size_t row = begin; row < end; ++row)
+    {
+      const std::size_t     endOfRow = next + m_FirstRuns[row];
+      const std::uint64_t * words = wordsOf(row);
+      const std::int32_t    endOfBits = m_Size[0] + 1;
+      m_FirstRuns[row] = next;
+      for (std::int32_t bit = 1; next < endOfRow; ++next)
       {
-        const std::int32_t after = FindBit(words, bit, end, false);
-        m_Runs.push_back({ bit - 1, after - 2, 0 });
-        bit = FindBit(words, after, end, true);
+        const std::int32_t first = FindBit(words, bit, endOfBits, true);
+        bit = FindBit(words, first, endOfBits, false);
+        m_Runs[next] = { first - 1, bit - 2, static_cast<ComponentType>(next) };
       }
     }
+  });
+}
+
+ComponentType
+DelaunayRefinementVoxelComponents::FindRoot(ComponentType run)
+{
+  while (m_Runs[run].component != run)
+  {
+    m_Runs[run].component = m_Runs[m_Runs[run].component].component;
+    run = m_Runs[run].component;
   }
-  m_FirstRuns.push_back(m_Runs.size());
+  return run;
 }
 
 void
-DelaunayRefinementVoxelComponents::JoinRows(std::size_t                  row,
-                                            std::size_t                  other,
-                                            std::int32_t                 reach,
-                                            std::vector<ComponentType> & parents) const
+DelaunayRefinementVoxelComponents::JoinRows(std::size_t row, std::size_t other, std::int32_t reach)
 {
   std::size_t       i = m_FirstRuns[row];
   std::size_t       j = m_FirstRuns[other];
@@ -140,13 +179,19 @@ DelaunayRefinementVoxelComponents::JoinRows(std::size_t                  row,
   const std::size_t endJ = m_FirstRuns[other + 1];
   while (i < endI && j < endJ)
   {
-    if (m_Runs[i].first <= m_Runs[j].last + reach && m_Runs[j].first <= m_Runs[i].last + reach)
+    RunType & a = m_Runs[i];
+    RunType & b = m_Runs[j];
+    if (a.component != b.component && a.first <= b.last + reach && b.first <= a.last + reach)
     {
-      const ComponentType a = FindRoot(parents, static_cast<ComponentType>(i));
-      const ComponentType b = FindRoot(parents, static_cast<ComponentType>(j));
-      parents[std::max(a, b)] = std::min(a, b);
+      const ComponentType rootA = this->FindRoot(static_cast<ComponentType>(i));
+      const ComponentType rootB = this->FindRoot(static_cast<ComponentType>(j));
+      const ComponentType root = std::min(rootA, rootB);
+      m_Runs[std::max(rootA, rootB)].component = root;
+      // A shorter way for the next rows.
+      a.component = root;
+      b.component = root;
     }
-    if (m_Runs[i].last < m_Runs[j].last)
+    if (a.last < b.last)
     {
       ++i;
     }
@@ -158,34 +203,82 @@ DelaunayRefinementVoxelComponents::JoinRows(std::size_t                  row,
 }
 
 void
-DelaunayRefinementVoxelComponents::Summarize()
+DelaunayRefinementVoxelComponents::JoinSlices(std::int32_t begin, std::int32_t end)
 {
-  constexpr std::int32_t largest = std::numeric_limits<std::int32_t>::max();
-  for (ComponentInfoType & info : m_Components)
+  for (std::int32_t z = begin; z < end; ++z)
   {
-    info = { 0, {}, { largest, largest, largest }, { -1, -1, -1 } };
-  }
-  for (std::int32_t z = 0; z < m_Size[2]; ++z)
-  {
-    for (std::int32_t y = 0; y < m_Size[1]; ++y)
+    const std::size_t first = static_cast<std::size_t>(z) * m_Size[1];
+    for (std::size_t row = first + 1; row < first + m_Size[1]; ++row)
     {
-      const std::size_t row = static_cast<std::size_t>(z) * m_Size[1] + y;
-      for (std::size_t i = m_FirstRuns[row]; i < m_FirstRuns[row + 1]; ++i)
+      this->JoinRows(row, row - 1, 1);
+    }
+    if (z > begin)
+    {
+      this->JoinSliceToPrevious(z);
+    }
+  }
+}
+
+void
+DelaunayRefinementVoxelComponents::JoinSliceToPrevious(std::int32_t z)
+{
+  // Two voxels are joined if at most two of their indexes differ, by one.
+  const std::size_t rowsPerSlice = m_Size[1];
+  for (std::size_t y = 0; y < rowsPerSlice; ++y)
+  {
+    const std::size_t row = static_cast<std::size_t>(z) * rowsPerSlice + y;
+    if (m_FirstRuns[row] == m_FirstRuns[row + 1])
+    {
+      continue;
+    }
+    this->JoinRows(row, row - rowsPerSlice, 1);
+    if (y > 0)
+    {
+      this->JoinRows(row, row - rowsPerSlice - 1, 0);
+    }
+    if (y + 1 < rowsPerSlice)
+    {
+      this->JoinRows(row, row - rowsPerSlice + 1, 0);
+    }
+  }
+}
+
+void
+DelaunayRefinementVoxelComponents::NumberComponents()
+{
+  // The first run of a component is its root; the others are joined to one that has its number already.
+  ComponentType next = 0;
+  for (std::size_t i = 0; i < m_Runs.size(); ++i)
+  {
+    const ComponentType before = m_Runs[i].component;
+    m_Runs[i].component = before == i ? next++ : m_Runs[before].component;
+  }
+  constexpr std::int32_t largest = std::numeric_limits<std::int32_t>::max();
+  m_Components.assign(next, { 0, {}, { largest, largest, largest }, { -1, -1, -1 } });
+}
+
+void
+DelaunayRefinementVoxelComponents::Summarize(std::size_t                      beginRow,
+                                             std::size_t                      endRow,
+                                             std::vector<ComponentInfoType> & infos) const
+{
+  for (std::size_t row = beginRow; row < endRow; ++row)
+  {
+    const auto y = static_cast<std::int32_t>(row % m_Size[1]);
+    const auto z = static_cast<std::int32_t>(row / m_Size[1]);
+    for (std::size_t i = m_FirstRuns[row]; i < m_FirstRuns[row + 1]; ++i)
+    {
+      const RunType &     run = m_Runs[i];
+      ComponentInfoType & info = infos[run.component];
+      if (info.numberOfVoxels == 0)
       {
-        const RunType &     run = m_Runs[i];
-        ComponentInfoType & info = m_Components[run.component];
-        if (info.numberOfVoxels == 0)
-        {
-          info.firstVoxel = { run.first, y, z };
-        }
-        info.numberOfVoxels += static_cast<std::size_t>(run.last - run.first + 1);
-        info.minimum = { std::min(info.minimum[0], run.first),
-                         std::min(info.minimum[1], y),
-                         std::min(info.minimum[2], z) };
-        info.maximum = { std::max(info.maximum[0], run.last),
-                         std::max(info.maximum[1], y),
-                         std::max(info.maximum[2], z) };
+        info.firstVoxel = { run.first, y, z };
+        info.minimum[2] = z;
       }
+      info.numberOfVoxels += static_cast<std::size_t>(run.last - run.first + 1);
+      info.minimum[0] = std::min(info.minimum[0], run.first);
+      info.minimum[1] = std::min(info.minimum[1], y);
+      info.maximum = { std::max(info.maximum[0], run.last), std::max(info.maximum[1], y), z };
     }
   }
 }
@@ -198,34 +291,36 @@ DelaunayRefinementVoxelComponents::Remove(const std::vector<bool> & isRemoved, D
   for (std::size_t i = 0; i < numbers.size(); ++i)
   {
     numbers[i] = next;
-    next += isRemoved[i] ? 0 : 1;
+    if (!isRemoved[i])
+    {
+      m_Components[next++] = m_Components[i];
+    }
   }
-  std::vector<RunType> kept;
-  std::size_t          row = 0;
+  m_Components.resize(next);
+  std::size_t row = 0;
+  std::size_t kept = 0;
   for (std::int32_t z = 0; z < m_Size[2]; ++z)
   {
     for (std::int32_t y = 0; y < m_Size[1]; ++y, ++row)
     {
       const std::size_t begin = m_FirstRuns[row];
-      m_FirstRuns[row] = kept.size();
+      m_FirstRuns[row] = kept;
       for (std::size_t i = begin; i < m_FirstRuns[row + 1]; ++i)
       {
-        const RunType & run = m_Runs[i];
+        const RunType run = m_Runs[i];
         if (isRemoved[run.component])
         {
           mask.ClearRun(run.first, run.last, y, z);
         }
         else
         {
-          kept.push_back({ run.first, run.last, numbers[run.component] });
+          m_Runs[kept++] = { run.first, run.last, numbers[run.component] };
         }
       }
     }
   }
-  m_FirstRuns[row] = kept.size();
-  m_Runs.swap(kept);
-  m_Components.resize(next);
-  this->Summarize();
+  m_FirstRuns[row] = kept;
+  m_Runs.resize(kept);
 }
 
 DelaunayRefinementVoxelComponents::ComponentType

@@ -40,9 +40,9 @@ inline CheckedMesh
 MakeCheckedMesh(const DelaunayRefinementResult & result)
 {
   CheckedMesh mesh;
-  mesh.points = result.points;
-  mesh.tetrahedra = result.tetrahedra;
-  mesh.triangles = result.boundaryTriangles;
+  mesh.points.assign(result.points.begin(), result.points.end());
+  mesh.tetrahedra.assign(result.tetrahedra.begin(), result.tetrahedra.end());
+  mesh.triangles.assign(result.boundaryTriangles.begin(), result.boundaryTriangles.end());
   mesh.tetrahedronLabels.assign(result.regions.begin(), result.regions.end());
   mesh.triangleLabels.assign(result.boundaryRegions.begin(), result.boundaryRegions.end());
   return mesh;

@@ -1,0 +1,378 @@
+/*=========================================================================
+ *
+ *  Copyright The DelaunayRefinement Contributors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkDelaunayRefinementMeshFilterChecks_hxx
+#define itkDelaunayRefinementMeshFilterChecks_hxx
+
+// What the filter may object to, before, during and after the run. Included at the end of the filter's own file.
+
+#include "itkDelaunayRefinementMeshFilter.h"
+
+#include "itkDelaunayRefinementImageCensus.h"
+#include "itksys/SystemInformation.hxx"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace itk
+{
+template <typename TInputImage, typename TOutputMesh>
+void
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::VerifyPreconditions() ITKv5_CONST
+{
+  Superclass::VerifyPreconditions();
+  const auto isPositive = [](double value) { return std::isfinite(value) && value > 0.0; };
+  if (ImageDimension != 3)
+  {
+    itkExceptionMacro("The image has dimension " << ImageDimension << "; only images of dimension 3 can be meshed");
+  }
+  if (m_DeltaIsSet && !isPositive(m_Delta))
+  {
+    itkExceptionMacro("Delta is " << m_Delta << "; it must be a positive, finite length");
+  }
+  if (!(std::isfinite(m_RadiusEdgeRatioBound) && m_RadiusEdgeRatioBound >= 1.0))
+  {
+    itkExceptionMacro("RadiusEdgeRatioBound is " << m_RadiusEdgeRatioBound << "; it must be finite and at least 1");
+  }
+  if (!(m_CellSize > 0.0))
+  {
+    itkExceptionMacro("CellSize is " << m_CellSize << "; it must be a positive length");
+  }
+  if (!(m_MinimumDihedralAngle >= 0.0 && m_MinimumDihedralAngle < 60.0))
+  {
+    itkExceptionMacro("MinimumDihedralAngle is " << m_MinimumDihedralAngle
+                                                 << "; it must be at least 0 and below 60 degrees");
+  }
+  if (m_MaximumNumberOfVertices == 0)
+  {
+    itkExceptionMacro("MaximumNumberOfVertices is 0; it must be positive");
+  }
+  if (m_IsoValueIsSet && !std::isfinite(m_IsoValue))
+  {
+    itkExceptionMacro("IsoValue is " << m_IsoValue << "; it must be finite");
+  }
+  if (std::isnan(m_LowerThreshold) || std::isnan(m_UpperThreshold) || m_LowerThreshold > m_UpperThreshold)
+  {
+    itkExceptionMacro("LowerThreshold is " << m_LowerThreshold << " and UpperThreshold is " << m_UpperThreshold
+                                           << "; they must be numbers, the lower one not above the upper one");
+  }
+  const bool hasThreshold = m_LowerThresholdIsSet || m_UpperThresholdIsSet;
+  if ((m_IsoValueIsSet ? 1 : 0) + (hasThreshold ? 1 : 0) + (m_Labels.empty() && !m_MergeLabels ? 0 : 1) > 1)
+  {
+    itkExceptionMacro("IsoValue, LowerThreshold with UpperThreshold, and Labels with MergeLabels define the object in "
+                      "different ways; set only one of them");
+  }
+}
+
+template <typename TInputImage, typename TOutputMesh>
+void
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::VerifyGeometry(const InputImageType * image) const
+{
+  const auto & d = image->GetDirection();
+  const double determinant = d[0][0] * (d[1][1] * d[2][2] - d[1][2] * d[2][1]) -
+                             d[0][1] * (d[1][0] * d[2][2] - d[1][2] * d[2][0]) +
+                             d[0][2] * (d[1][0] * d[2][1] - d[1][1] * d[2][0]);
+  constexpr double leastDeterminant = 1e-6;
+  bool             isUsable = std::abs(determinant) >= leastDeterminant; // false for NaN
+  for (unsigned int i = 0; i < ImageDimension; ++i)
+  {
+    isUsable = isUsable && std::isfinite(image->GetOrigin()[i]) && std::isfinite(image->GetSpacing()[i]);
+  }
+  if (!isUsable)
+  {
+    itkExceptionMacro("The image's origin, spacing and direction must be finite numbers, the direction not singular");
+  }
+}
+
+template <typename TInputImage, typename TOutputMesh>
+typename DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::InputPixelType
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::ChooseObject(const InputImageType *      image,
+                                                                     DelaunayRefinementThreads & threads,
+                                                                     ObjectType &                object) const
+{
+  using DefinitionEnum = typename ObjectType::DefinitionEnum;
+  const auto & region = image->GetBufferedRegion();
+  if (region.GetNumberOfPixels() == 0)
+  {
+    itkExceptionMacro("The image is empty");
+  }
+  const DelaunayRefinementImageCensus<InputPixelType> census(
+    image->GetBufferPointer(), region.GetNumberOfPixels(), region.GetSize(0), &threads);
+  if (census.HasNaN())
+  {
+    itkExceptionMacro("The image has pixels that are NaN (not a number); replace them by values");
+  }
+  // The label of all but single labels.
+  constexpr InputPixelType merged{ 1 };
+  object.minimumComponentSize = m_MinimumComponentSize;
+  object.largestComponentOnly = m_LargestComponentOnly;
+  if (m_IsoValueIsSet)
+  {
+    object.definition = DefinitionEnum::ISO_VALUE;
+    object.isoValue = m_IsoValue;
+    return merged;
+  }
+  if (m_LowerThresholdIsSet || m_UpperThresholdIsSet)
+  {
+    object.definition = DefinitionEnum::THRESHOLD;
+    object.lower = m_LowerThreshold;
+    object.upper = m_UpperThreshold;
+    return merged;
+  }
+  if (std::is_floating_point<InputPixelType>::value)
+  {
+    itkExceptionMacro("The image has floating-point values, which are no labels; set IsoValue, or LowerThreshold and "
+                      "UpperThreshold");
+  }
+  const std::vector<InputPixelType> labels = census.FindLabels();
+  for (const InputPixelType label : m_Labels)
+  {
+    if (!(label > InputPixelType{ 0 }))
+    {
+      itkExceptionMacro("Labels has the value " << static_cast<double>(label)
+                                                << "; labels must be positive, 0 being outside");
+    }
+    if (!std::binary_search(labels.begin(), labels.end(), label))
+    {
+      itkExceptionMacro("No voxel has the label " << static_cast<double>(label) << " of Labels; the image has "
+                                                  << this->DescribeLabels(labels));
+    }
+  }
+  if (!m_Labels.empty())
+  {
+    object.definition = DefinitionEnum::LABELS;
+    object.labels = m_Labels;
+    std::sort(object.labels.begin(), object.labels.end());
+    object.labels.erase(std::unique(object.labels.begin(), object.labels.end()), object.labels.end());
+    if (object.labels.size() > 1 && !m_MergeLabels)
+    {
+      itkExceptionMacro("Labels has " << object.labels.size()
+                                      << " values; choose one, or set MergeLabels to mesh them as one object");
+    }
+    return m_MergeLabels ? merged : object.labels.front();
+  }
+  object.definition = DefinitionEnum::NON_ZERO;
+  if (labels.empty())
+  {
+    return merged;
+  }
+  constexpr std::size_t manyLabels = 8;
+  constexpr double      speckled = 0.3;
+  if (!m_MergeLabels && labels.size() >= manyLabels && census.ComputeSpeckle() > speckled)
+  {
+    itkExceptionMacro("The image seems to hold grey values, not labels: " << labels.size()
+                                                                          << " values change from voxel to voxel. Set "
+                                                                             "LowerThreshold and UpperThreshold, or "
+                                                                             "IsoValue, or MergeLabels");
+  }
+  if (labels.front() < InputPixelType{ 0 })
+  {
+    itkExceptionMacro("The image has negative values, which are no labels; set LowerThreshold and UpperThreshold, or "
+                      "IsoValue, or Labels");
+  }
+  if (m_MergeLabels)
+  {
+    return merged;
+  }
+  if (labels.size() > 1)
+  {
+    itkExceptionMacro("The image has " << this->DescribeLabels(labels)
+                                       << "; choose one by Labels, or set MergeLabels to mesh them as one object");
+  }
+  return labels.front();
+}
+
+template <typename TInputImage, typename TOutputMesh>
+std::string
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::DescribeLabels(const LabelsType & labels)
+{
+  constexpr std::size_t mostShown = 10;
+  std::ostringstream    text;
+  text << labels.size() << (labels.size() == 1 ? " label" : " labels");
+  for (std::size_t i = 0; i < std::min(labels.size(), mostShown); ++i)
+  {
+    text << (i == 0 ? ": " : ", ") << static_cast<typename NumericTraits<InputPixelType>::PrintType>(labels[i]);
+  }
+  if (labels.size() > mostShown)
+  {
+    text << ", ...";
+  }
+  return text.str();
+}
+
+template <typename TInputImage, typename TOutputMesh>
+void
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::VerifyObject(
+  const InputImageType *                  image,
+  const DelaunayRefinementLatticeOracle & oracle) const
+{
+  if (oracle.GetNumberOfComponents() > 0)
+  {
+    return;
+  }
+  const auto & region = image->GetBufferedRegion();
+  const auto   range = DelaunayRefinementImageCensus<InputPixelType>(
+                       image->GetBufferPointer(), region.GetNumberOfPixels(), region.GetSize(0))
+                       .FindRange();
+  std::ostringstream why;
+  if (m_IsoValueIsSet)
+  {
+    why << "no voxel reaches the IsoValue " << m_IsoValue;
+  }
+  else if (m_LowerThresholdIsSet || m_UpperThresholdIsSet)
+  {
+    why << "no voxel is between LowerThreshold " << m_LowerThreshold << " and UpperThreshold " << m_UpperThreshold;
+  }
+  else
+  {
+    why << "no voxel has a label";
+  }
+  itkExceptionMacro("There is no object to mesh: " << why.str() << ", or no component has MinimumComponentSize "
+                                                   << m_MinimumComponentSize << " voxels; pixel values range from "
+                                                   << static_cast<double>(range.first) << " to "
+                                                   << static_cast<double>(range.second));
+}
+
+template <typename TInputImage, typename TOutputMesh>
+void
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::VerifyPrecision(
+  const DelaunayRefinementLatticeOracle & oracle,
+  const DelaunayRefinementParameters &    parameters) const
+{
+  using CoordinateType = typename OutputMeshType::CoordRepType;
+  constexpr double largestShare = 0.05;
+  const auto       bounds = oracle.GetSurfaceBounds();
+  double           largest = 0.0;
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    largest = std::max({ largest, std::abs(bounds.minimum[i]), std::abs(bounds.maximum[i]) });
+  }
+  const double least = *std::min_element(parameters.componentDelta.begin(), parameters.componentDelta.end());
+  if (largest * static_cast<double>(std::numeric_limits<CoordinateType>::epsilon()) > largestShare * least)
+  {
+    itkExceptionMacro("Coordinates as large as " << largest << " mm can't tell points apart for Delta " << least
+                                                 << " mm in the mesh's type of coordinates; use a mesh with double "
+                                                    "coordinates, a larger Delta, or an origin nearer to 0");
+  }
+}
+
+template <typename TInputImage, typename TOutputMesh>
+void
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::VerifyMemory(
+  const DelaunayRefinementLatticeOracle & oracle,
+  const std::vector<std::uint32_t> &      kept,
+  const DelaunayRefinementParameters &    parameters) const
+{
+  // Measured: some 800 bytes for each tetrahedron of the mesh, those outside it included.
+  constexpr double megabytesPerTetrahedron = 1e-3;
+  double           megabytes = megabytesPerTetrahedron * oracle.EstimateNumberOfTetrahedra(parameters);
+  for (std::size_t i = 0; i < kept.size(); ++i)
+  {
+    if (parameters.componentDelta[i] < parameters.delta)
+    {
+      megabytes += megabytesPerTetrahedron *
+                   oracle.EstimateNumberOfTetrahedra(m_Components[kept[i]], parameters.componentDelta[i]);
+    }
+  }
+  itksys::SystemInformation system;
+  system.RunMemoryCheck();
+  const double available = static_cast<double>(system.GetAvailablePhysicalMemory());
+  if (megabytes > available && available > 0.0)
+  {
+    itkExceptionMacro("Delta " << m_EffectiveDelta << " is too small for this object: the mesh would need some "
+                               << std::ceil(megabytes / 1024.0) << " GB of memory, and "
+                               << std::floor(available / 1024.0) << " GB are free; set a larger Delta or CellSize");
+  }
+}
+
+template <typename TInputImage, typename TOutputMesh>
+void
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::ThrowUnlessCompleted(
+  DelaunayRefinementEnums::TerminationReason reason) const
+{
+  using TerminationReason = DelaunayRefinementEnums::TerminationReason;
+  switch (reason)
+  {
+    case TerminationReason::COMPLETED:
+      return;
+    case TerminationReason::STOPPED_BY_CALLER:
+    {
+      ProcessAborted aborted(__FILE__, __LINE__);
+      aborted.SetDescription("The mesh generation was aborted");
+      aborted.SetLocation(ITK_LOCATION);
+      throw aborted;
+    }
+    case TerminationReason::VERTEX_LIMIT:
+      itkExceptionMacro("The mesh needs more vertices than MaximumNumberOfVertices, which is "
+                        << m_MaximumNumberOfVertices << "; set a larger Delta or a larger MaximumNumberOfVertices");
+    case TerminationReason::NO_SURFACE_FOUND:
+      itkExceptionMacro("There is no object to mesh: it has no surface");
+  }
+}
+
+template <typename TInputImage, typename TOutputMesh>
+void
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::ThrowIfAborted() const
+{
+  if (this->GetAbortGenerateData())
+  {
+    this->ThrowUnlessCompleted(DelaunayRefinementEnums::TerminationReason::STOPPED_BY_CALLER);
+  }
+}
+
+template <typename TInputImage, typename TOutputMesh>
+void
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::WarnOfComponents()
+{
+  constexpr std::size_t mostShown = 10;
+  const auto            describe = [this](std::uint32_t number) {
+    const DelaunayRefinementComponent & component = m_Components[number];
+    std::ostringstream                  text;
+    text << component.numberOfVoxels << (component.numberOfVoxels == 1 ? " voxel" : " voxels") << " at ("
+         << component.firstVoxel[0] << ", " << component.firstVoxel[1] << ", " << component.firstVoxel[2] << ")";
+    return text.str();
+  };
+  const auto & missing = m_Statistics.missingComponents;
+  if (!missing.empty())
+  {
+    std::ostringstream text;
+    text << missing.size() << " of " << m_Components.size()
+         << (missing.size() == 1 ? " components is" : " components are") << " too small for Delta " << m_EffectiveDelta
+         << " mm and missing in the mesh:";
+    for (std::size_t i = 0; i < std::min(missing.size(), mostShown); ++i)
+    {
+      text << (i == 0 ? " " : ", ") << describe(missing[i]);
+    }
+    text << (missing.size() > mostShown ? ", ..." : "");
+    m_Warnings.push_back(text.str());
+  }
+  const auto & lowered = m_Statistics.loweredDeltas;
+  if (!lowered.empty())
+  {
+    const auto smallest = std::min_element(
+      lowered.begin(), lowered.end(), [](const auto & a, const auto & b) { return a.second < b.second; });
+    std::ostringstream text;
+    text << "Delta was lowered for " << lowered.size() << " of " << m_Components.size()
+         << " components that are too small for " << m_EffectiveDelta << " mm; the least is " << smallest->second
+         << " mm for " << describe(smallest->first);
+    m_Warnings.push_back(text.str());
+  }
+}
+} // end namespace itk
+
+#endif
