@@ -25,6 +25,7 @@
 #include "itkDelaunayRefinementQueue.h"
 #include "itkDelaunayRefinementRules.h"
 #include "itkDelaunayRefinementSurfaceSample.h"
+#include "itkDelaunayRefinementThreads.h"
 
 #include <algorithm>
 #include <chrono>
@@ -65,6 +66,7 @@ public:
     : m_Oracle(oracle)
     , m_Parameters(parameters)
     , m_LocalDelta(oracle, parameters)
+    , m_Threads(parameters.numberOfThreads)
   {}
 
   TerminationReason
@@ -172,6 +174,7 @@ private:
   const DelaunayRefinementOracle &                 m_Oracle;
   DelaunayRefinementParameters                     m_Parameters;
   DelaunayRefinementLocalDelta                     m_LocalDelta;
+  DelaunayRefinementThreads                        m_Threads;
   DelaunayRefinementStatistics                     m_Statistics{};
   DelaunayRefinementResult                         m_Result{};
   std::unique_ptr<DelaunayRefinementSurfaceSample> m_Sample{};
@@ -204,7 +207,7 @@ DelaunayRefinementEngine::Impl::RunAllPhases()
   }
   m_Sample = std::make_unique<DelaunayRefinementSurfaceSample>(m_Oracle, m_LocalDelta, m_Parameters.roundToFloat);
   std::vector<PointType> seeds;
-  const bool             isSampled = m_Sample->Certify(seeds, [this] { return this->KeepGoing(); });
+  const bool             isSampled = m_Sample->Certify(seeds, m_Threads, [this] { return this->KeepGoing(); });
   m_Statistics.samplingSeconds = SecondsSince(start);
   if (!isSampled)
   {
@@ -350,7 +353,7 @@ DelaunayRefinementEngine::Impl::Certify(std::vector<PointType> & points, std::si
     }
     return this->KeepGoing();
   };
-  return m_Sample->Certify(points, keepGoing);
+  return m_Sample->Certify(points, m_Threads, keepGoing);
 }
 
 bool
