@@ -54,7 +54,7 @@ public:
   GetNumberOfThreads() const;
 
   /** Does all items, in order on one thread, in any order on more. An exception that an item throws is thrown here,
-   * that of the first one if there are several, after the other items. Not to be called from an item. */
+   * that of the first one if there are several; other items may be left undone then. Not to be called from an item. */
   void
   Run(std::size_t numberOfItems, const TaskType & task);
 

@@ -255,7 +255,7 @@ DelaunayRefinementEngine::Impl::RunAllPhases()
   }
   m_Sample = std::make_unique<DelaunayRefinementSurfaceSample>(m_Oracle, m_LocalDelta, m_Parameters.roundToFloat);
   std::vector<PointType> seeds;
-  const bool             isSampled = m_Sample->Certify(seeds, [this] { return this->KeepGoing(); });
+  const bool             isSampled = m_Sample->Certify(seeds, m_Threads, [this] { return this->KeepGoing(); });
   m_Statistics.samplingSeconds = SecondsSince(start);
   if (!isSampled)
   {
@@ -294,8 +294,7 @@ DelaunayRefinementEngine::Impl::RunAllPhases()
   start = Clock::now();
   if (this->KeepGoing())
   {
-    DelaunayRefinementThreads threads(m_Parameters.numberOfThreads);
-    m_Result = ExtractDelaunayRefinementResult(*m_Complex, &threads);
+    m_Result = ExtractDelaunayRefinementResult(*m_Complex, &m_Threads);
   }
   m_Statistics.extractionSeconds = SecondsSince(start);
   return m_Reason;
@@ -441,7 +440,7 @@ DelaunayRefinementEngine::Impl::Certify(std::vector<PointType> & points, std::si
     }
     return this->KeepGoing();
   };
-  return m_Sample->Certify(points, keepGoing);
+  return m_Sample->Certify(points, m_Threads, keepGoing);
 }
 
 bool

@@ -31,6 +31,11 @@ constexpr double MostCubesPerGroup = 4.0;
 
 /** Edge of the cubes over the greatest reach. */
 constexpr double CubeSize = 0.7;
+
+/** Least edge of a block over the greatest delta and over the largest patch's half extent: smaller blocks would have
+ * more around them that they share with others. */
+constexpr double DeltasPerBlock = 4.0;
+constexpr double ExtentsPerBlock = 6.0;
 } // namespace
 
 DelaunayRefinementPatchCover::DelaunayRefinementPatchCover(const PatchesType & roots, double greatestDelta)
@@ -40,8 +45,6 @@ DelaunayRefinementPatchCover::DelaunayRefinementPatchCover(const PatchesType & r
   {
     return;
   }
-  m_Marks.GetPatches().Clear(roots.GetOrigin());
-  m_Groups.resize(roots.GetSize());
   PointType maximum = m_Minimum;
   double    largest = 0.0;
   for (std::size_t i = 0; i < roots.GetSize(); ++i)
@@ -71,13 +74,48 @@ DelaunayRefinementPatchCover::DelaunayRefinementPatchCover(const PatchesType & r
   {
     m_Size[i] = 1 + static_cast<std::int32_t>(extent[i] * m_CubesPerLength);
   }
+  // Between two blocks of a color there is room for the reach of both; their vertices lie within patches, so no further
+  // than about a half extent out of the block.
+  const double reach = std::ceil((m_GreatestReach + largest) * m_CubesPerLength);
+  const double edge = DeltasPerBlock * greatestDelta + ExtentsPerBlock * largest;
+  this->MakeBlocks(std::max(2.0 * reach, std::ceil(edge * m_CubesPerLength)));
+  this->SortGroups(roots);
+}
 
+void
+DelaunayRefinementPatchCover::MakeBlocks(double leastSize)
+{
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    const auto most = static_cast<std::int32_t>(std::max(1.0, m_Size[i] / leastSize));
+    m_BlockSize[i] = (m_Size[i] + most - 1) / most;
+    m_BlocksPerAxis[i] = (m_Size[i] + m_BlockSize[i] - 1) / m_BlockSize[i];
+  }
+  m_CubesPerBlock = static_cast<std::size_t>(m_BlockSize[0]) * m_BlockSize[1] * m_BlockSize[2];
+  m_Blocks.resize(static_cast<std::size_t>(m_BlocksPerAxis[0]) * m_BlocksPerAxis[1] * m_BlocksPerAxis[2]);
+  for (std::size_t number = 0; number < m_Blocks.size(); ++number)
+  {
+    const CubeType place = this->GetPlace(number);
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      m_Blocks[number].first[i] = place[i] * m_BlockSize[i];
+      m_Blocks[number].last[i] = m_Blocks[number].first[i] + m_BlockSize[i] - 1;
+    }
+  }
+}
+
+void
+DelaunayRefinementPatchCover::SortGroups(const PatchesType & roots)
+{
   // Sorting by counting keeps the order within cubes.
   std::vector<std::uint32_t> cubes(roots.GetSize());
-  m_Starts.assign(this->ToOffset({ m_Size[0] - 1, m_Size[1] - 1, m_Size[2] - 1 }) + 2, 0);
+  m_Starts.assign(m_Blocks.size() * m_CubesPerBlock + 1, 0);
   for (std::size_t i = 0; i < cubes.size(); ++i)
   {
-    cubes[i] = static_cast<std::uint32_t>(this->ToOffset(this->FindCube(roots.Get(i).center, 0.0)));
+    const CubeType    cube = this->FindCube(roots.Get(i).center, 0.0);
+    const std::size_t block =
+      this->ToBlock({ cube[0] / m_BlockSize[0], cube[1] / m_BlockSize[1], cube[2] / m_BlockSize[2] });
+    cubes[i] = static_cast<std::uint32_t>(this->ToOffset(block, cube));
     ++m_Starts[cubes[i] + 1];
   }
   for (std::size_t cube = 1; cube < m_Starts.size(); ++cube)
@@ -85,24 +123,54 @@ DelaunayRefinementPatchCover::DelaunayRefinementPatchCover(const PatchesType & r
     m_Starts[cube] += m_Starts[cube - 1];
   }
   std::vector<std::uint32_t> next(m_Starts.begin(), m_Starts.end() - 1);
-  m_Order.resize(cubes.size());
+  m_Roots.resize(cubes.size());
+  m_Groups.resize(cubes.size());
   for (std::uint32_t i = 0; i < cubes.size(); ++i)
   {
     const std::uint32_t place = next[cubes[i]]++;
     const auto          root = roots.Get(i);
-    m_Order[place] = i;
+    m_Roots[place] = i;
     m_Groups[place] = { root.center, root.halfExtents, 0, 0, true };
+  }
+  for (std::size_t number = 0; number < m_Blocks.size(); ++number)
+  {
+    BlockType & block = m_Blocks[number];
+    block.begin = m_Starts[number * m_CubesPerBlock];
+    block.end = m_Starts[(number + 1) * m_CubesPerBlock];
+    block.minimum.fill(std::numeric_limits<double>::infinity());
+    block.maximum.fill(-std::numeric_limits<double>::infinity());
+    for (std::uint32_t i = block.begin; i < block.end; ++i)
+    {
+      for (unsigned int axis = 0; axis < 3; ++axis)
+      {
+        const GroupType & group = m_Groups[i];
+        block.minimum[axis] = std::min(block.minimum[axis], group.center[axis] - group.halfExtents[axis]);
+        block.maximum[axis] = std::max(block.maximum[axis], group.center[axis] + group.halfExtents[axis]);
+      }
+    }
   }
 }
 
-void
-DelaunayRefinementPatchCover::EndGroup(bool isUniform)
+std::array<std::vector<std::uint32_t>, DelaunayRefinementPatchCover::NumberOfColors>
+DelaunayRefinementPatchCover::GetColors() const
 {
-  GroupType & group = m_Groups[m_NumberOfGroups];
-  group.begin = m_NumberOfGroups == 0 ? 0 : m_Groups[m_NumberOfGroups - 1].end;
-  group.end = static_cast<std::uint32_t>(m_Marks.GetPatches().GetSize());
-  group.isUniform = isUniform;
-  ++m_NumberOfGroups;
+  std::array<std::vector<std::uint32_t>, NumberOfColors> colors;
+  for (std::uint32_t number = 0; number < m_Blocks.size(); ++number)
+  {
+    if (m_Blocks[number].begin < m_Blocks[number].end)
+    {
+      const CubeType place = this->GetPlace(number);
+      colors[(place[0] & 1) | (place[1] & 1) << 1 | (place[2] & 1) << 2].push_back(number);
+    }
+  }
+  const auto getSize = [this](std::uint32_t number) { return m_Blocks[number].marks.GetPatches().GetSize(); };
+  for (auto & blocks : colors)
+  {
+    std::stable_sort(blocks.begin(), blocks.end(), [&](std::uint32_t left, std::uint32_t right) {
+      return getSize(left) > getSize(right);
+    });
+  }
+  return colors;
 }
 
 DelaunayRefinementPatchCover::CubeType
@@ -120,23 +188,83 @@ DelaunayRefinementPatchCover::FindCube(const PointType & point, double offset) c
 void
 DelaunayRefinementPatchCover::CoverFrom(const PointType & vertex)
 {
-  if (m_Groups.empty())
+  if (m_Blocks.empty())
   {
     return;
   }
-  const CubeType first = this->FindCube(vertex, -m_GreatestReach);
-  const CubeType last = this->FindCube(vertex, m_GreatestReach);
-  for (std::int32_t cubeZ = first[2]; cubeZ <= last[2]; ++cubeZ)
+  const RangeType cubes = this->FindReach(vertex);
+  for (std::int32_t z = cubes.first[2] / m_BlockSize[2]; z <= cubes.last[2] / m_BlockSize[2]; ++z)
   {
-    for (std::int32_t cubeY = first[1]; cubeY <= last[1]; ++cubeY)
+    for (std::int32_t y = cubes.first[1] / m_BlockSize[1]; y <= cubes.last[1] / m_BlockSize[1]; ++y)
+    {
+      for (std::int32_t x = cubes.first[0] / m_BlockSize[0]; x <= cubes.last[0] / m_BlockSize[0]; ++x)
+      {
+        this->Cover(vertex, cubes, this->ToBlock({ x, y, z }), false);
+      }
+    }
+  }
+}
+
+void
+DelaunayRefinementPatchCover::CoverFrom(const PointType & vertex, std::size_t block)
+{
+  RangeType        cubes = this->FindReach(vertex);
+  const CubeType & first = m_Blocks[block].first;
+  const CubeType & last = m_Blocks[block].last;
+  CubeType         before;
+  CubeType         after;
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    // No further than half way to the next block of the color, wherever the vertex is.
+    cubes.first[i] = std::max(cubes.first[i], first[i] - m_BlockSize[i] / 2);
+    cubes.last[i] = std::min(cubes.last[i], last[i] + m_BlockSize[i] / 2);
+    before[i] = cubes.first[i] < first[i] ? -1 : 0;
+    after[i] = cubes.last[i] > last[i] ? 1 : 0;
+  }
+  for (std::int32_t z = before[2]; z <= after[2]; ++z)
+  {
+    for (std::int32_t y = before[1]; y <= after[1]; ++y)
+    {
+      for (std::int32_t x = before[0]; x <= after[0]; ++x)
+      {
+        const std::ptrdiff_t offset =
+          (static_cast<std::ptrdiff_t>(z) * m_BlocksPerAxis[1] + y) * m_BlocksPerAxis[0] + x;
+        // Others may mark the patches around this block, but not its own.
+        this->Cover(vertex, cubes, block + offset, offset != 0);
+      }
+    }
+  }
+}
+
+void
+DelaunayRefinementPatchCover::Cover(const PointType & vertex, const RangeType & cubes, std::size_t number, bool isExact)
+{
+  BlockType & block = m_Blocks[number];
+  CubeType    first;
+  CubeType    last;
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    first[i] = std::max(cubes.first[i] - block.first[i], 0);
+    last[i] = std::min(cubes.last[i] - block.first[i], m_BlockSize[i] - 1);
+    if (first[i] > last[i])
+    {
+      return;
+    }
+  }
+  const std::uint32_t * const starts = m_Starts.data() + number * m_CubesPerBlock;
+  for (std::int32_t z = first[2]; z <= last[2]; ++z)
+  {
+    const std::uint32_t * row = starts + (static_cast<std::size_t>(z) * m_BlockSize[1] + first[1]) * m_BlockSize[0];
+    for (std::int32_t y = first[1]; y <= last[1]; ++y)
     {
       // The groups of a row of cubes follow each other, and so do their patches.
-      const std::uint32_t begin = m_Starts[this->ToOffset({ first[0], cubeY, cubeZ })];
-      const std::uint32_t end = m_Starts[this->ToOffset({ last[0], cubeY, cubeZ }) + 1];
+      const std::uint32_t begin = row[first[0]];
+      const std::uint32_t end = row[last[0] + 1];
       if (begin < end)
       {
-        m_Marks.CoverFrom(vertex, m_Groups[begin].begin, m_Groups[end - 1].end);
+        block.marks.CoverFrom(vertex, m_Groups[begin].begin, m_Groups[end - 1].end, isExact);
       }
+      row += m_BlockSize[0];
     }
   }
 }

@@ -26,7 +26,9 @@ namespace itk
 /** \class DelaunayRefinementPatchCover
  * \brief All patches of a surface, in a grid, so that a vertex finds those that it covers.
  *
- * Patches come in groups, the parts of one larger patch each.
+ * Patches come in groups, the parts of one larger patch each, and groups in blocks: boxes of cubes of the grid. Blocks
+ * are so large that vertices in two of one color never cover patches of the same cube, so threads can work at them at
+ * the same time: each reads and writes the patches of its own block, and marks those around it.
  *
  * \ingroup DelaunayRefinement
  */
@@ -35,8 +37,11 @@ class DelaunayRefinementPatchCover
 public:
   using PointType = DelaunayRefinementPoint;
   using PatchesType = DelaunayRefinementSurfacePatches;
+  using CubeType = std::array<std::int32_t, 3>;
 
-  /** The parts \c begin to \c end (not included) of a patch. */
+  static constexpr std::size_t NumberOfColors = 8;
+
+  /** The parts of a patch: \c begin to \c end (not included) of its block's patches. */
   struct GroupType
   {
     PointType     center;
@@ -46,30 +51,52 @@ public:
     bool          isUniform; // the caller's
   };
 
+  struct BlockType
+  {
+    // Of its cubes; the last ones belong to it.
+    CubeType first;
+    CubeType last;
+
+    // Its groups, and a box around them.
+    std::uint32_t begin;
+    std::uint32_t end;
+    PointType     minimum;
+    PointType     maximum;
+
+    DelaunayRefinementPatchMarks marks;
+  };
+
   /** The larger patches, and the greatest delta there is. */
   DelaunayRefinementPatchCover(const PatchesType & roots, double greatestDelta);
 
-  /** The numbers of the roots in an order that has neighbors close together: that of the groups. */
-  const std::vector<std::uint32_t> &
-  GetOrder() const
+  /** Some blocks may be empty. */
+  std::size_t
+  GetNumberOfBlocks() const
   {
-    return m_Order;
+    return m_Blocks.size();
   }
 
-  /** Adds parts to GetMarks().GetPatches(), those of the next group after those of the last one. */
-  void
-  EndGroup(bool isUniform);
-
-  const std::vector<GroupType> &
-  GetGroups() const
+  BlockType &
+  GetBlock(std::size_t number)
   {
-    return m_Groups;
+    return m_Blocks[number];
   }
 
-  DelaunayRefinementPatchMarks &
-  GetMarks()
+  /** The blocks with patches, those with most of them first, by color. */
+  std::array<std::vector<std::uint32_t>, NumberOfColors>
+  GetColors() const;
+
+  /** The number of the root that a group comes from. */
+  std::uint32_t
+  GetRoot(std::uint32_t group) const
   {
-    return m_Marks;
+    return m_Roots[group];
+  }
+
+  GroupType &
+  GetGroup(std::uint32_t number)
+  {
+    return m_Groups[number];
   }
 
   /** All that vertices can reach lies within this distance of the patches' origin. */
@@ -83,29 +110,78 @@ public:
   void
   CoverFrom(const PointType & vertex);
 
+  /** The same for a vertex in a block; safe while other threads do it for other blocks of this color. */
+  void
+  CoverFrom(const PointType & vertex, std::size_t block);
+
 private:
-  using CubeType = std::array<std::int32_t, 3>;
+  struct RangeType
+  {
+    CubeType first;
+    CubeType last; // included
+  };
+
+  /** The cubes with all patches that a vertex may cover. */
+  RangeType
+  FindReach(const PointType & vertex) const
+  {
+    return { this->FindCube(vertex, -m_GreatestReach), this->FindCube(vertex, m_GreatestReach) };
+  }
 
   /** Points beyond the grid belong to the cubes at its border. */
   CubeType
   FindCube(const PointType & point, double offset) const;
 
-  std::size_t
-  ToOffset(const CubeType & cube) const
+  /** Blocks of at least so many cubes along each axis. */
+  void
+  MakeBlocks(double leastSize);
+
+  /** Sorts the groups by blocks, and by cubes within these. */
+  void
+  SortGroups(const PatchesType & roots);
+
+  /** Marks the patches of one block in some cubes, and perhaps others of the block unless \c isExact. */
+  void
+  Cover(const PointType & vertex, const RangeType & cubes, std::size_t block, bool isExact);
+
+  /** Of a block among the blocks. */
+  CubeType
+  GetPlace(std::size_t block) const
   {
-    return (static_cast<std::size_t>(cube[2]) * m_Size[1] + cube[1]) * m_Size[0] + cube[0];
+    const auto row = block / m_BlocksPerAxis[0];
+    return { static_cast<std::int32_t>(block % m_BlocksPerAxis[0]),
+             static_cast<std::int32_t>(row % m_BlocksPerAxis[1]),
+             static_cast<std::int32_t>(row / m_BlocksPerAxis[1]) };
   }
 
-  double                       m_GreatestReach{ 0.0 };
-  double                       m_Extent{ 0.0 };
-  double                       m_CubesPerLength{ 1.0 };
-  PointType                    m_Minimum{};
-  CubeType                     m_Size{};
-  std::vector<std::uint32_t>   m_Starts{}; // of each cube's groups, and the end
-  std::vector<std::uint32_t>   m_Order{};
-  std::vector<GroupType>       m_Groups{};
-  std::size_t                  m_NumberOfGroups{ 0 };
-  DelaunayRefinementPatchMarks m_Marks{};
+  std::size_t
+  ToBlock(const CubeType & place) const
+  {
+    return (static_cast<std::size_t>(place[2]) * m_BlocksPerAxis[1] + place[1]) * m_BlocksPerAxis[0] + place[0];
+  }
+
+  /** Of a cube of a block among all cubes: those of a block follow each other, row by row. */
+  std::size_t
+  ToOffset(std::size_t block, const CubeType & cube) const
+  {
+    const CubeType & first = m_Blocks[block].first;
+    return block * m_CubesPerBlock +
+           (static_cast<std::size_t>(cube[2] - first[2]) * m_BlockSize[1] + cube[1] - first[1]) * m_BlockSize[0] +
+           cube[0] - first[0];
+  }
+
+  double                     m_GreatestReach{ 0.0 };
+  double                     m_Extent{ 0.0 };
+  double                     m_CubesPerLength{ 1.0 };
+  PointType                  m_Minimum{};
+  CubeType                   m_Size{};
+  CubeType                   m_BlockSize{};
+  CubeType                   m_BlocksPerAxis{};
+  std::size_t                m_CubesPerBlock{ 0 };
+  std::vector<BlockType>     m_Blocks{};
+  std::vector<std::uint32_t> m_Starts{}; // of each cube's groups, and the end
+  std::vector<std::uint32_t> m_Roots{};
+  std::vector<GroupType>     m_Groups{};
 };
 } // end namespace itk
 

@@ -25,7 +25,7 @@ namespace itk
 {
 ITK_DELAUNAY_REFINEMENT_WIDE_LOOPS
 void
-DelaunayRefinementPatchMarks::CoverFrom(const PointType & vertex, std::size_t begin, std::size_t end)
+DelaunayRefinementPatchMarks::CoverFrom(const PointType & vertex, std::size_t begin, std::size_t end, bool isExact)
 {
   const PointType &    origin = m_Patches.GetOrigin();
   const auto           x = static_cast<float>(vertex[0] - origin[0]);
@@ -43,10 +43,7 @@ DelaunayRefinementPatchMarks::CoverFrom(const PointType & vertex, std::size_t be
   const float          nearShare = m_NearShare;
   // Negative lengths have negative squares, within which nothing is.
   const auto square = [](float length) { return length * std::abs(length); };
-  // Whole blocks: compilers do several of these at once.
-  const auto length = static_cast<std::int32_t>((end - begin + BlockSize - 1) / BlockSize * BlockSize);
-  for (std::int32_t i = 0; i < length; ++i)
-  {
+  const auto getMarks = [=](std::int32_t i) {
     const float dx = std::abs(x - centerX[i]);
     const float dy = std::abs(y - centerY[i]);
     const float dz = std::abs(z - centerZ[i]);
@@ -57,7 +54,27 @@ DelaunayRefinementPatchMarks::CoverFrom(const PointType & vertex, std::size_t be
     const float squaredFurthest = furthestX * furthestX + furthestY * furthestY + furthestZ * furthestZ;
     const bool  isCovered = (squaredFurthest <= square(deltas[i])) | (squared <= square(deltas[i] - radii[i]));
     const bool  isNear = squared <= square(deltas[i] - nearShare * radii[i]);
-    marks[i] |= (isCovered ? Covered : 0) | (isNear ? Near : 0);
+    return (isCovered ? Covered : 0) | (isNear ? Near : 0);
+  };
+  // Whole blocks: compilers do several of these at once.
+  constexpr auto blockSize = static_cast<std::int32_t>(BlockSize);
+  const auto     length = static_cast<std::int32_t>(end - begin);
+  const auto     whole = (isExact ? length : length + blockSize - 1) / blockSize * blockSize;
+  for (std::int32_t i = 0; i < whole; ++i)
+  {
+    marks[i] |= getMarks(i);
+  }
+  if (whole < length)
+  {
+    std::array<std::int32_t, BlockSize> last;
+    for (std::int32_t i = 0; i < blockSize; ++i)
+    {
+      last[i] = getMarks(whole + i);
+    }
+    for (std::int32_t i = whole; i < length; ++i)
+    {
+      marks[i] |= last[i - whole];
+    }
   }
 }
 } // end namespace itk

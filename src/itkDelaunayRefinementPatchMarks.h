@@ -65,9 +65,10 @@ public:
     m_Marks.assign(m_Patches.GetSize() + BlockSize, 0);
   }
 
-  /** Marks those of the patches \c begin to \c end (not included) that a vertex covers, and perhaps some after them. */
+  /** Marks those of the patches \c begin to \c end (not included) that a vertex covers, and perhaps some after them
+   * unless \c isExact, which takes longer. */
   void
-  CoverFrom(const PointType & vertex, std::size_t begin, std::size_t end);
+  CoverFrom(const PointType & vertex, std::size_t begin, std::size_t end, bool isExact);
 
   bool
   IsCovered(std::size_t number) const

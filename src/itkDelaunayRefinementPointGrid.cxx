@@ -28,11 +28,12 @@ namespace
 constexpr double MostCubes = 1 << 24;
 } // namespace
 
-DelaunayRefinementPointGrid::DelaunayRefinementPointGrid(const PointType & minimum,
-                                                         const PointType & maximum,
-                                                         double            cubeSize)
-  : m_Minimum(minimum)
+void
+DelaunayRefinementPointGrid::Start(const PointType & minimum, const PointType & maximum, double cubeSize)
 {
+  m_Minimum = minimum;
+  m_Points.clear();
+  m_Blocks.clear();
   const PointType extent = DelaunayRefinementGeometry::Subtract(maximum, minimum);
   const auto      count = [&extent](double size) {
     return (1.0 + extent[0] / size) * (1.0 + extent[1] / size) * (1.0 + extent[2] / size);
@@ -58,7 +59,9 @@ DelaunayRefinementPointGrid::Add(const PointType & point)
   std::int32_t & last = m_LastBlocks[this->ToOffset(cube[0], cube[1], cube[2])];
   if (last == None || m_Blocks[last].numberOfPoints == m_Blocks[last].points.size())
   {
-    m_Blocks.push_back({ {}, 0, last });
+    m_Blocks.emplace_back();
+    m_Blocks.back().numberOfPoints = 0;
+    m_Blocks.back().previous = last;
     last = static_cast<std::int32_t>(m_Blocks.size() - 1);
   }
   m_IsOccupied[m_WordsPerRow * this->ToRow(cube[1], cube[2]) + (cube[0] >> 6)] |= std::uint64_t{ 1 } << (cube[0] & 63);

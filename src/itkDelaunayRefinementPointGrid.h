@@ -33,9 +33,19 @@ class DelaunayRefinementPointGrid
 public:
   using PointType = DelaunayRefinementPoint;
 
+  /** Nothing may be added before Start(). */
+  DelaunayRefinementPointGrid() = default;
+
   /** A grid over a box. The cubes' edge is best about as long as the distances that will be asked for; it is longer if
    * the box would take too many cubes. */
-  DelaunayRefinementPointGrid(const PointType & minimum, const PointType & maximum, double cubeSize);
+  DelaunayRefinementPointGrid(const PointType & minimum, const PointType & maximum, double cubeSize)
+  {
+    this->Start(minimum, maximum, cubeSize);
+  }
+
+  /** Forgets all points. The same box and cubes as those of the constructor. */
+  void
+  Start(const PointType & minimum, const PointType & maximum, double cubeSize);
 
   void
   Add(const PointType & point);
@@ -100,9 +110,9 @@ private:
     return static_cast<std::size_t>(z) * m_Size[1] + y;
   }
 
-  PointType                             m_Minimum;
-  double                                m_InverseSize;
-  CubeType                              m_Size;
+  PointType                             m_Minimum{};
+  double                                m_InverseSize{ 1.0 };
+  CubeType                              m_Size{};
   std::vector<PointType>                m_Points{};
   DelaunayRefinementArray<BlockType>    m_Blocks{};
   DelaunayRefinementArray<std::int32_t> m_LastBlocks{}; // of each cube

@@ -19,9 +19,8 @@
 #define itkDelaunayRefinementSurfaceSample_h
 
 #include "itkDelaunayRefinementLocalDelta.h"
-#include "itkDelaunayRefinementNearbyPoints.h"
-#include "itkDelaunayRefinementPatchCover.h"
 #include "itkDelaunayRefinementPointGrid.h"
+#include "itkDelaunayRefinementThreads.h"
 
 namespace itk
 {
@@ -33,6 +32,8 @@ namespace itk
  * the surface is certified to lie within delta of one feature vertex, or split, or given a vertex. So R1 in the paper's
  * words can't fire either once Certify() is done, feature vertices never being removed. Vertices keep a little less
  * than delta between them, so that certification ends.
+ *
+ * Threads work in blocks of one color after the other (DelaunayRefinementPatchCover).
  *
  * \ingroup DelaunayRefinement
  */
@@ -50,10 +51,13 @@ public:
   void
   Add(const PointType & point);
 
-  /** Appends the points that R1 inserts, until all of the surface is covered; always the same in the same order. Again
-   * after delta was lowered somewhere. False if \c keepGoing, asked now and then, said so. */
+  /** Appends the points that R1 inserts, until all of the surface is covered; always the same in the same order,
+   * however many \c threads there are. Again after delta was lowered somewhere. False if \c keepGoing, asked now and
+   * then on the calling thread, said so. */
   bool
-  Certify(std::vector<PointType> & points, const std::function<bool()> & keepGoing);
+  Certify(std::vector<PointType> &      points,
+          DelaunayRefinementThreads &   threads,
+          const std::function<bool()> & keepGoing);
 
   bool
   HasVertexWithin(const PointType & point, double radius) const
@@ -66,72 +70,10 @@ public:
   MayHaveSurfaceWithin(const PointType & point, double radius) const;
 
 private:
-  using PatchesType = DelaunayRefinementSurfacePatches;
-  using PatchType = PatchesType::PatchType;
-  using AnswerEnum = DelaunayRefinementNearbyPoints::AnswerEnum;
-
-  /** Asked before as many patches as it is told are visited. */
-  using MayVisitType = std::function<bool(std::size_t)>;
-
-  /** Splits the whole surface into patches that are small against delta; \c roots are the oracle's. */
-  bool
-  CollectPatches(const PatchesType & roots, DelaunayRefinementPatchCover & cover, const MayVisitType & mayVisit);
-
-  /** Whether no component with a lower delta reaches into a patch. */
-  bool
-  IsUniform(const PatchType & patch) const;
-
-  /** The least delta that holds in a patch. \c isUniform: of it or of one that it is a part of. */
-  double
-  GetLeastDelta(const PatchesType & patches, std::size_t number, bool isUniform) const;
-
-  enum class OutcomeEnum : uint8_t
-  {
-    TOO_NEAR,
-    INSERTED,
-    EMPTY // the patch holds no surface
-  };
-
-  /** Inserts a point of a patch, last in \c points, unless \c vertices has one too near. */
-  template <typename TVertices>
-  OutcomeEnum
-  Sample(const PatchesType::IdentifierType & patch,
-         bool                                isUniform,
-         const TVertices &                   vertices,
-         DelaunayRefinementPatchCover &      cover,
-         std::vector<PointType> &            points);
-
-  /** Covers all patches of a group that are not yet, by splitting them again and again. */
-  bool
-  CoverGroup(const DelaunayRefinementPatchCover::GroupType & group,
-             DelaunayRefinementPatchCover &                  cover,
-             std::vector<PointType> &                        points,
-             const MayVisitType &                            mayVisit);
-
-  /** The same for some patches of a group, within a box. */
-  bool
-  CoverPatches(const DelaunayRefinementPatchCover::GroupType & patches,
-               DelaunayRefinementPatchCover &                  cover,
-               std::vector<PointType> &                        points,
-               const MayVisitType &                            mayVisit);
-
-  /** The feature vertices that may cover what lies in a box. */
-  void
-  FindNearby(const PointType & center, const PointType & halfExtents);
-
-  static std::vector<std::uint32_t>
-  MakeRandomOrder(std::size_t length);
-
   const DelaunayRefinementOracle &     m_Oracle;
   const DelaunayRefinementLocalDelta & m_LocalDelta;
   bool                                 m_RoundToFloat;
   DelaunayRefinementPointGrid          m_Grid;
-
-  // Scratch of single calls.
-  PatchesType                    m_Wholes{};
-  PatchesType                    m_Parts{};
-  std::vector<PointType>         m_Found{};
-  DelaunayRefinementNearbyPoints m_Nearby{};
 };
 } // end namespace itk
 

@@ -37,7 +37,10 @@ constexpr std::chrono::microseconds TimeAwake{ 200 };
 } // namespace
 
 /** \class DelaunayRefinementThreads::Impl
- * \brief The threads, and the task they are at. */
+ * \brief The threads, and the task they are at.
+ *
+ * Threads take items by a ticket: the number of the task, and that of the next item. A task is over once all of its
+ * items are done; threads that were asleep all the while are not waited for. */
 class DelaunayRefinementThreads::Impl
 {
 public:
@@ -58,7 +61,8 @@ public:
 
   ~Impl()
   {
-    this->StartRound(true);
+    m_IsOver.store(true);
+    this->WakeAll();
     for (std::thread & worker : m_Workers)
     {
       worker.join();
@@ -74,35 +78,63 @@ public:
   void
   Run(std::size_t numberOfItems, const TaskType & task)
   {
-    m_Task = &task;
-    m_NumberOfItems = numberOfItems;
-    m_NextItem.store(0, std::memory_order_relaxed);
-    m_Failure = nullptr;
-    const bool isShared = !m_Workers.empty() && numberOfItems > 1;
-    if (isShared)
+    if (m_Workers.empty() || numberOfItems < 2)
     {
-      m_NumberAtWork.store(m_Workers.size(), std::memory_order_relaxed);
-      this->StartRound(false);
+      for (std::size_t item = 0; item < numberOfItems; ++item)
+      {
+        task(item, 0);
+      }
+      return;
     }
+    // Tickets have room for as many.
+    for (std::size_t first = 0; first < numberOfItems; first += Closed)
+    {
+      const std::size_t number = std::min<std::size_t>(Closed, numberOfItems - first);
+      this->RunSome(number, [&](std::size_t item, unsigned int thread) { task(first + item, thread); });
+    }
+  }
+
+private:
+  /** The next item of a task that is over, or has not begun. */
+  static constexpr std::uint64_t Closed = 0xFFFFFFFFu;
+
+  void
+  RunSome(std::size_t numberOfItems, const TaskType & task)
+  {
+    m_Task.store(&task, std::memory_order_relaxed);
+    m_NumberOfItems.store(numberOfItems, std::memory_order_relaxed);
+    m_NumberDone.store(0, std::memory_order_relaxed);
+    m_Failure = nullptr;
+    this->Open();
     this->TakeItems(0);
-    while (isShared && m_NumberAtWork.load(std::memory_order_acquire) > 0)
+    while (m_NumberDone.load(std::memory_order_acquire) < numberOfItems)
     {
       std::this_thread::yield();
     }
+    m_Ticket.fetch_or(Closed);
     if (m_Failure != nullptr)
     {
       std::rethrow_exception(m_Failure);
     }
   }
 
-private:
+  /** Issues the ticket of the next task. */
   void
-  StartRound(bool isLast)
+  Open()
+  {
+    m_Ticket.store(((m_Ticket.load() >> 32) + 1) << 32);
+    if (m_NumberAsleep.load() > 0)
+    {
+      this->WakeAll();
+    }
+  }
+
+  void
+  WakeAll()
   {
     {
+      // Nobody is between looking for a task and falling asleep.
       const std::lock_guard<std::mutex> lock(m_Mutex);
-      m_IsOver = isLast;
-      m_Round.fetch_add(1, std::memory_order_release);
     }
     m_Wake.notify_all();
   }
@@ -110,42 +142,40 @@ private:
   void
   Work(unsigned int thread)
   {
-    std::uint64_t round = 0;
-    while (true)
+    while (!m_IsOver.load())
     {
+      const std::uint64_t task = m_Ticket.load() >> 32;
+      this->TakeItems(thread);
+      const auto isNew = [&] { return m_Ticket.load() >> 32 != task || m_IsOver.load(); };
       const auto sleepAt = std::chrono::steady_clock::now() + TimeAwake;
-      while (m_Round.load(std::memory_order_acquire) == round && std::chrono::steady_clock::now() < sleepAt)
+      while (!isNew() && std::chrono::steady_clock::now() < sleepAt)
       {
         std::this_thread::yield();
       }
-      if (m_Round.load(std::memory_order_acquire) == round)
+      if (!isNew())
       {
         std::unique_lock<std::mutex> lock(m_Mutex);
-        m_Wake.wait(lock, [&] { return m_Round.load(std::memory_order_acquire) != round; });
+        m_NumberAsleep.fetch_add(1);
+        m_Wake.wait(lock, isNew);
+        m_NumberAsleep.fetch_sub(1);
       }
-      ++round;
-      if (m_IsOver)
-      {
-        return;
-      }
-      this->TakeItems(thread);
-      m_NumberAtWork.fetch_sub(1, std::memory_order_release);
     }
   }
 
   void
   TakeItems(unsigned int thread)
   {
-    while (true)
+    std::uint64_t ticket = m_Ticket.load(std::memory_order_acquire);
+    while ((ticket & Closed) < m_NumberOfItems.load(std::memory_order_relaxed))
     {
-      const std::size_t item = m_NextItem.fetch_add(1, std::memory_order_relaxed);
-      if (item >= m_NumberOfItems)
+      if (!m_Ticket.compare_exchange_weak(ticket, ticket + 1, std::memory_order_acq_rel, std::memory_order_acquire))
       {
-        return;
+        continue;
       }
+      const auto item = static_cast<std::size_t>(ticket & Closed);
       try
       {
-        (*m_Task)(item, thread);
+        (*m_Task.load(std::memory_order_relaxed))(item, thread);
       }
       catch (...)
       {
@@ -156,22 +186,22 @@ private:
           m_FailedItem = item;
         }
       }
+      m_NumberDone.fetch_add(1, std::memory_order_acq_rel);
+      ticket = m_Ticket.load(std::memory_order_acquire);
     }
   }
 
-  std::vector<std::thread>   m_Workers{};
-  std::mutex                 m_Mutex{};
-  std::condition_variable    m_Wake{};
-  std::atomic<std::uint64_t> m_Round{ 0 };
-  std::atomic<std::size_t>   m_NumberAtWork{ 0 };
-  std::atomic<std::size_t>   m_NextItem{ 0 };
-
-  // Of the round; written between rounds only, and under the mutex.
-  bool               m_IsOver{ false };
-  const TaskType *   m_Task{ nullptr };
-  std::size_t        m_NumberOfItems{ 0 };
-  std::exception_ptr m_Failure{};
-  std::size_t        m_FailedItem{ 0 };
+  std::mutex                    m_Mutex{};
+  std::condition_variable       m_Wake{};
+  std::atomic<bool>             m_IsOver{ false };
+  std::atomic<std::size_t>      m_NumberAsleep{ 0 };
+  std::atomic<std::uint64_t>    m_Ticket{ Closed };
+  std::atomic<const TaskType *> m_Task{ nullptr };
+  std::atomic<std::size_t>      m_NumberOfItems{ 0 };
+  std::atomic<std::size_t>      m_NumberDone{ 0 };
+  std::exception_ptr            m_Failure{}; // under the mutex
+  std::size_t                   m_FailedItem{ 0 };
+  std::vector<std::thread>      m_Workers{}; // last: they use all the rest
 };
 
 DelaunayRefinementThreads::DelaunayRefinementThreads(unsigned int numberOfThreads)

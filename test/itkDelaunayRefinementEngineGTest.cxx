@@ -163,6 +163,22 @@ TEST(DelaunayRefinementEngine, SameMeshTwice)
   }
 }
 
+TEST(DelaunayRefinementEngine, SameMeshForAnyNumberOfThreads)
+{
+  // Large against delta: the threads have many blocks of the surface to share.
+  const HollowBallOracle shell(origin, 5.0, 10.0);
+  const auto             makeHash = [&](unsigned int numberOfThreads) {
+    auto parameters = MakeParameters(0.5);
+    parameters.numberOfThreads = numberOfThreads;
+    return ComputeHash(RunEngine(shell, parameters).result);
+  };
+  const std::uint64_t hash = makeHash(1);
+  for (const unsigned int numberOfThreads : { 2u, 3u, 5u })
+  {
+    EXPECT_EQ(makeHash(numberOfThreads), hash) << numberOfThreads;
+  }
+}
+
 TEST(DelaunayRefinementEngine, OtherParametersMakeAnotherMesh)
 {
   const BallOracle ball(origin, 10.0);

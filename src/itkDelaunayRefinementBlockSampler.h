@@ -1,0 +1,143 @@
+/*=========================================================================
+ *
+ *  Copyright The DelaunayRefinement Contributors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkDelaunayRefinementBlockSampler_h
+#define itkDelaunayRefinementBlockSampler_h
+
+#include "itkDelaunayRefinementLocalDelta.h"
+#include "itkDelaunayRefinementNearbyPoints.h"
+#include "itkDelaunayRefinementPatchCover.h"
+#include "itkDelaunayRefinementPointGrid.h"
+
+#include <random>
+
+namespace itk
+{
+/** \class DelaunayRefinementBlockSampler
+ * \brief Rule R1 in blocks of the surface's patches, one after the other: the work of one thread.
+ *
+ * What it inserts depends on the block's marks and on the vertices there were when it started with the block, not on
+ * what other threads do meanwhile in blocks of the same color.
+ *
+ * \ingroup DelaunayRefinement
+ */
+class DelaunayRefinementBlockSampler
+{
+public:
+  using PointType = DelaunayRefinementPoint;
+  using PatchesType = DelaunayRefinementSurfacePatches;
+
+  /** Asked before as many patches as it is told are visited; work stops once it returns false. */
+  using MayVisitType = std::function<bool(std::size_t)>;
+
+  /** Points are rounded to floats if \c roundToFloat is set. \c vertices are those there are already; the caller adds
+   * the new ones, while no thread is at work in a block. */
+  DelaunayRefinementBlockSampler(const DelaunayRefinementOracle &     oracle,
+                                 const DelaunayRefinementLocalDelta & localDelta,
+                                 bool                                 roundToFloat,
+                                 const DelaunayRefinementPointGrid &  vertices,
+                                 DelaunayRefinementPatchCover &       cover,
+                                 const MayVisitType &                 mayVisit);
+
+  /** Splits a block's part of the surface into patches that are small against delta; \c roots are the oracle's. */
+  void
+  Collect(const PatchesType & roots, std::size_t block);
+
+  /** Inserts points of patches in a random order, which keeps the sample sparse, and returns them. */
+  std::vector<PointType>
+  Sample(std::size_t block);
+
+  /** Covers all patches that are not yet, and returns the points it inserts for that. */
+  std::vector<PointType>
+  Cover(std::size_t block);
+
+private:
+  using PatchType = PatchesType::PatchType;
+  using GroupType = DelaunayRefinementPatchCover::GroupType;
+  using AnswerEnum = DelaunayRefinementNearbyPoints::AnswerEnum;
+
+  /** Whether no component with a lower delta reaches into a patch. */
+  bool
+  IsUniform(const PatchType & patch) const;
+
+  /** The least delta that holds in a patch. \c isUniform: of it or of one that it is a part of. */
+  double
+  GetLeastDelta(const PatchesType & patches, std::size_t number, bool isUniform) const;
+
+  enum class OutcomeEnum : uint8_t
+  {
+    TOO_NEAR,
+    INSERTED,
+    EMPTY // the patch holds no surface
+  };
+
+  /** Inserts a point of a patch unless \c vertices has one too near. */
+  template <typename TVertices>
+  OutcomeEnum
+  SamplePatch(const PatchesType::IdentifierType & patch, bool isUniform, const TVertices & vertices);
+
+  /** Covers all patches of a group that are not yet, by splitting them again and again. */
+  bool
+  CoverGroup(const GroupType & group);
+
+  /** The same for some patches of a group, within a box. */
+  bool
+  CoverPatches(const GroupType & patches);
+
+  /** The feature vertices that may cover what lies in a box. */
+  void
+  FindNearby(const PointType & center, const PointType & halfExtents);
+
+  /** Starts with the vertices around a block. */
+  void
+  Enter(std::size_t block);
+
+  /** Only there m_Vertices has all that are near. */
+  bool
+  IsInBlock(const PointType & point) const;
+
+  /** The points inserted since. */
+  std::vector<PointType>
+  Leave() const;
+
+  /** Of the numbers from \c begin. */
+  void
+  MakeRandomOrder(std::size_t begin, std::size_t length, std::mt19937_64 & random);
+
+  const DelaunayRefinementOracle &     m_Oracle;
+  const DelaunayRefinementLocalDelta & m_LocalDelta;
+  bool                                 m_RoundToFloat;
+  const DelaunayRefinementPointGrid &  m_AllVertices;
+  DelaunayRefinementPatchCover &       m_Cover;
+  MayVisitType                         m_MayVisit;
+
+  // Of the block.
+  std::size_t                    m_Block{ 0 };
+  DelaunayRefinementPatchMarks * m_Marks{ nullptr };
+  DelaunayRefinementPointGrid    m_Vertices{}; // those around it first
+  std::size_t                    m_NumberOfOldVertices{ 0 };
+
+  // Scratch of single calls.
+  std::vector<std::uint32_t>     m_Order{};
+  PatchesType                    m_Wholes{};
+  PatchesType                    m_Parts{};
+  std::vector<PointType>         m_Found{};
+  DelaunayRefinementNearbyPoints m_Nearby{};
+};
+} // end namespace itk
+
+#endif
