@@ -36,7 +36,10 @@ struct BenchmarkRunType
 
 /** This project's filter. The mesh's points are stored in \c points. */
 BenchmarkRunType
-MeshByDelaunayRefinement(const BenchmarkImageType * image, double delta, std::vector<std::array<double, 3>> & points);
+MeshByDelaunayRefinement(const BenchmarkImageType *           image,
+                         double                               delta,
+                         unsigned int                         numberOfThreads,
+                         std::vector<std::array<double, 3>> & points);
 
 /** CGAL Mesh_3: facet size delta, facet distance delta / 2, facet angle 30 degrees, radius-edge ratio 2, no
  * optimization. */

@@ -27,8 +27,8 @@
 #  include <sys/resource.h>
 #endif
 
-// How time and memory for a tetrahedron grow with the mesh, on a ball with a wavy surface: MeasureGrowth [LARGEST], the
-// largest number of tetrahedra to try (default 1000000).
+// How time and memory for a tetrahedron grow with the mesh, on a ball with a wavy surface, and what threads save:
+// MeasureGrowth [LARGEST [THREADS]], the largest number of tetrahedra to try (default 1000000), and threads (2).
 
 namespace
 {
@@ -72,23 +72,25 @@ int
 main(int argc, char * argv[])
 {
   const double largest = argc > 1 ? std::atof(argv[1]) : 1e6;
+  const auto   numberOfThreads = static_cast<unsigned int>(argc > 2 ? std::atoi(argv[2]) : 2);
   try
   {
     const auto   image = MakeWavyBall(320);
     const double before = GetPeakMemory();
-    std::cout << "| delta (mm) | tetrahedra | s | microseconds a tetrahedron | bytes a tetrahedron at the peak |\n"
-                 "|---|---|---|---|---|\n";
+    std::cout << "| delta (mm) | tetrahedra | s | microseconds a tetrahedron | bytes a tetrahedron at the peak | s, "
+              << numberOfThreads << " threads |\n|---|---|---|---|---|---|\n";
     std::size_t numberOfTetrahedra = 0;
     // A step makes the mesh some three times as large.
     for (double delta = 4.0; static_cast<double>(numberOfTetrahedra) < largest / 3.0; delta /= std::sqrt(3.0))
     {
       std::vector<std::array<double, 3>> points;
-      const BenchmarkRunType             run = MeshByDelaunayRefinement(image, delta, points);
+      const BenchmarkRunType             run = MeshByDelaunayRefinement(image, delta, 1, points);
       numberOfTetrahedra = run.numberOfTetrahedra;
       const auto number = static_cast<double>(numberOfTetrahedra);
       std::cout << "| " << std::setprecision(3) << delta << " | " << numberOfTetrahedra << " | " << run.seconds << " | "
                 << 1e6 * run.seconds / number << " | " << std::setprecision(4) << (GetPeakMemory() - before) / number
-                << " |" << std::endl;
+                << " | " << std::flush << std::setprecision(3)
+                << MeshByDelaunayRefinement(image, delta, numberOfThreads, points).seconds << " |" << std::endl;
     }
   }
   catch (const itk::ExceptionObject & error)

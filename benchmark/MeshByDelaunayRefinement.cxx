@@ -23,7 +23,10 @@
 #include <chrono>
 
 BenchmarkRunType
-MeshByDelaunayRefinement(const BenchmarkImageType * image, double delta, std::vector<std::array<double, 3>> & points)
+MeshByDelaunayRefinement(const BenchmarkImageType *           image,
+                         double                               delta,
+                         unsigned int                         numberOfThreads,
+                         std::vector<std::array<double, 3>> & points)
 {
   using MeshTraits = itk::DefaultStaticMeshTraits<double, 3, 3, double>;
   using MeshType = itk::Mesh<double, 3, MeshTraits>;
@@ -31,7 +34,7 @@ MeshByDelaunayRefinement(const BenchmarkImageType * image, double delta, std::ve
   filter->SetInput(image);
   filter->SetLowerThreshold(1.0);
   filter->SetDelta(delta);
-  filter->SetNumberOfWorkUnits(1);
+  filter->SetNumberOfWorkUnits(numberOfThreads);
 
   const auto start = std::chrono::steady_clock::now();
   filter->Update();

@@ -57,6 +57,13 @@ Parameters(const Options & options)
            { "threads", options.threads } };
 }
 
+/** Which of the phases were shared by threads; insertion is one after the other. */
+Json
+ParallelPhases(const Options & options)
+{
+  return options.threads > 1 ? Json{ "preparation", "sampling", "refinement", "extraction", "copy" } : Json::array();
+}
+
 Json
 Seconds(const Report & report)
 {
@@ -166,6 +173,7 @@ Compose(const Report & report)
            { "delta", run.delta },
            { "filter_seconds", run.filterSeconds },
            { "seconds", Seconds(report) },
+           { "parallel", ParallelPhases(options) },
            { "rules", Rules(run.statistics) },
            { "vertices", Vertices(run.statistics) },
            { "quality", QualityFigures(report.quality) },
