@@ -173,7 +173,7 @@ Compose(const Report & report)
            { "delta", run.delta },
            { "filter_seconds", run.filterSeconds },
            { "seconds", Seconds(report) },
-           { "parallel", ParallelPhases(options) },
+           { "parallel", ParallelPhases(report.options) },
            { "rules", Rules(run.statistics) },
            { "vertices", Vertices(run.statistics) },
            { "quality", QualityFigures(report.quality) },
