@@ -50,6 +50,9 @@ constexpr std::size_t ShuffledPatches = 4096;
 /** A part is sampled if its center is no further than this share of its radius inside the covered part of space. */
 constexpr double HopefulShare = 0.35;
 
+/** What rounding to single precision may add to this share of delta's distances is no matter between vertices. */
+constexpr double NegligibleShare = 1e-3;
+
 /** Patches smaller than this share of delta are held to belong to one component. */
 constexpr double SmallPatch = 0.3;
 } // namespace
@@ -299,7 +302,10 @@ DelaunayRefinementBlockSampler::CoverGroup(const GroupType & group)
 bool
 DelaunayRefinementBlockSampler::CoverPatches(const GroupType & group)
 {
-  m_Nearby.Start(group.center, std::sqrt(Geometry::Dot(group.halfExtents, group.halfExtents)));
+  const double extent = std::sqrt(Geometry::Dot(group.halfExtents, group.halfExtents));
+  const bool   isPrecise =
+    PatchesType::GetRounding(extent + m_LocalDelta.GetMaximum()) < NegligibleShare * m_LocalDelta.GetMinimum();
+  m_Nearby.Start(group.center, extent);
   std::for_each(m_Found.begin(), m_Found.end(), [this](const PointType & vertex) { m_Nearby.Add(vertex); });
   m_Parts.Clear(group.center);
   for (std::size_t i = group.begin; i < group.end; ++i)
@@ -330,14 +336,15 @@ DelaunayRefinementBlockSampler::CoverPatches(const GroupType & group)
         m_Wholes.GetRadii()[i] < SmallestPatch * delta || m_Wholes.GetIdentifier(i).level >= DeepestLevel;
       if (answer == AnswerEnum::FAR || isSmallest)
       {
-        const OutcomeEnum outcome = this->SamplePatch(m_Wholes.GetIdentifier(i), group.isUniform, m_Nearby);
+        const auto &      patch = m_Wholes.GetIdentifier(i);
+        const OutcomeEnum outcome = isPrecise ? this->SamplePatch(patch, group.isUniform, m_Nearby)
+                                              : this->SamplePatch(patch, group.isUniform, m_Vertices);
         if (outcome == OutcomeEnum::INSERTED)
         {
           m_Nearby.Add(m_Vertices.GetPoints().back());
         }
-        if ((outcome == OutcomeEnum::INSERTED &&
-             m_Nearby.Ask(m_Wholes, i, delta, HopefulShare) == AnswerEnum::COVERED) ||
-            outcome == OutcomeEnum::EMPTY || (outcome == OutcomeEnum::TOO_NEAR && isSmallest))
+        if (isSmallest || outcome == OutcomeEnum::EMPTY ||
+            (outcome == OutcomeEnum::INSERTED && m_Nearby.Ask(m_Wholes, i, delta, HopefulShare) == AnswerEnum::COVERED))
         {
           continue;
         }
