@@ -18,6 +18,7 @@
 #include "itkDelaunayRefinementBlockSampler.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <numeric>
 
 namespace itk
@@ -35,8 +36,9 @@ constexpr double CubeSize = 2.0;
 /** Patches smaller than this share of delta are judged by their point alone. */
 constexpr double SmallestPatch = 1e-5;
 
-/** So are those of this level, before their indexes overflow. */
+/** So are those of this level, and those whose parts' indexes would overflow. */
 constexpr unsigned int DeepestLevel = 22;
+constexpr std::int32_t GreatestIndex = 1 << 30;
 
 /** More vertices around a group make it worth looking for those around each patch. */
 constexpr std::size_t MostNearbyPoints = 64;
@@ -55,6 +57,14 @@ constexpr double NegligibleShare = 1e-3;
 
 /** Patches smaller than this share of delta are held to belong to one component. */
 constexpr double SmallPatch = 0.3;
+
+bool
+MayBeSplit(const DelaunayRefinementSurfacePatches::IdentifierType & patch)
+{
+  return patch.level < DeepestLevel &&
+         std::all_of(
+           patch.index.begin(), patch.index.end(), [](std::int32_t index) { return std::abs(index) < GreatestIndex; });
+}
 } // namespace
 
 DelaunayRefinementBlockSampler::DelaunayRefinementBlockSampler(const DelaunayRefinementOracle &     oracle,
@@ -133,7 +143,7 @@ DelaunayRefinementBlockSampler::Collect(const PatchesType & roots, std::size_t n
       for (std::size_t j = 0; j < m_Wholes.GetSize(); ++j)
       {
         const double delta = this->GetLeastDelta(m_Wholes, j, group.isUniform);
-        if (m_Wholes.GetRadii()[j] > SampledPatch * delta && m_Wholes.GetIdentifier(j).level < DeepestLevel)
+        if (m_Wholes.GetRadii()[j] > SampledPatch * delta && MayBeSplit(m_Wholes.GetIdentifier(j)))
         {
           m_Oracle.SplitSurfacePatch(m_Wholes.GetIdentifier(j), m_Parts);
         }
@@ -332,8 +342,7 @@ DelaunayRefinementBlockSampler::CoverPatches(const GroupType & group)
         continue;
       }
       // Points of a patch whose center is well covered are likely to be too near.
-      const bool isSmallest =
-        m_Wholes.GetRadii()[i] < SmallestPatch * delta || m_Wholes.GetIdentifier(i).level >= DeepestLevel;
+      const bool isSmallest = m_Wholes.GetRadii()[i] < SmallestPatch * delta || !MayBeSplit(m_Wholes.GetIdentifier(i));
       if (answer == AnswerEnum::FAR || isSmallest)
       {
         const auto &      patch = m_Wholes.GetIdentifier(i);

@@ -61,7 +61,7 @@ public:
     return m_ActiveBricks;
   }
 
-  /** Whether a brick holds surface, or which side of it it is on. */
+  // Whether a brick holds surface, or which side of it it is on.
   enum class BrickEnum : uint8_t
   {
     OUTSIDE,

@@ -38,7 +38,7 @@ public:
   using PointType = DelaunayRefinementPoint;
   using IndexType = DelaunayRefinementComplex::IndexType;
 
-  /** Rules that are asked, and have their turn, together. */
+  // Rules that are asked, and have their turn, together.
   enum class RuleGroupEnum : uint8_t
   {
     R2,

@@ -31,7 +31,7 @@ class DelaunayRefinementTriangulation::ScratchType
 public:
   static constexpr unsigned int MostVerticesOfMatrix = 64;
 
-  /** Of cells that the search for a cavity has seen. */
+  // Of cells that the search for a cavity has seen.
   enum class MarkEnum : std::uint8_t
   {
     NONE,
