@@ -23,9 +23,6 @@ namespace itk
 {
 namespace
 {
-/** More at a time would take more caches than one thread has. */
-constexpr std::size_t MostItems = 16;
-
 /** Of one block at a time, so that threads wait for each other now and then. */
 constexpr std::size_t MostCellsAsked = 64;
 } // namespace
@@ -91,7 +88,7 @@ DelaunayRefinementCircumcenters::Apply(DelaunayRefinementBlockQueue & queue,
   }
   else if (10 * numberOfInsertions >= 9 * numberOfProposals)
   {
-    m_Most = std::min(MostItems, 2 * m_Most);
+    m_Most = std::min<std::size_t>(MostItems, 2 * m_Most);
   }
   return true;
 }

@@ -40,6 +40,9 @@ public:
   using RefinementRule = DelaunayRefinementEnums::RefinementRule;
   using EntryType = DelaunayRefinementBlockQueue::EntryType;
 
+  /** So many at a time; more would take more caches than one thread has. */
+  static constexpr unsigned int MostItems = 16;
+
   enum class OutcomeEnum : uint8_t
   {
     NOTHING, // no cell fires

@@ -61,14 +61,11 @@ DelaunayRefinementComplex::Start(const std::vector<PointType> & features,
   m_Triangulation.SetNumberOfThreads(threads.GetNumberOfThreads());
   const auto & cells = m_Triangulation.GetNewCells();
   m_Regions.resize(m_Triangulation.GetNumberOfCellIndexes());
-  constexpr std::size_t cellsPerItem = 4096;
-  threads.Run(cells.size() / cellsPerItem + 1, [&](std::size_t item, unsigned int) {
-    const std::size_t end = std::min(cells.size(), (item + 1) * cellsPerItem);
-    for (std::size_t i = item * cellsPerItem; i < end; ++i)
-    {
-      this->UpdateRegion(cells[i]);
-    }
-  });
+  constexpr std::size_t cellsPerPiece = 4096;
+  DelaunayRefinementThreads::RunPieces(
+    &threads, cells.size(), cellsPerPiece, [&](std::size_t, std::size_t begin, std::size_t end) {
+      std::for_each(cells.data() + begin, cells.data() + end, [this](IndexType cell) { this->UpdateRegion(cell); });
+    });
   return keepGoing();
 }
 

@@ -48,7 +48,10 @@ using VertexKind = DelaunayRefinementEnums::VertexKind;
 constexpr double BoxDistance = 2.8284271247461903 * 1.001;
 
 /** More have nothing to do in a batch of insertions. */
-constexpr unsigned int MostThreads = 16;
+constexpr unsigned int MostThreads = DelaunayRefinementCircumcenters::MostItems;
+
+/** So many cells that follow each other are one thread's at a time. */
+constexpr std::size_t CellsPerPiece = 4096;
 
 /** Insertions between two calls of the progress callback. */
 constexpr unsigned int ProgressInterval = 256;
@@ -184,19 +187,18 @@ private:
   void
   VisitAllCells(const TVisitor & visitor)
   {
-    constexpr std::size_t cellsPerItem = 4096;
-    const auto &          triangulation = m_Complex->GetTriangulation();
-    const std::size_t     length = triangulation.GetNumberOfCellIndexes();
-    m_Threads.Run(length / cellsPerItem + 1, [&](std::size_t item, unsigned int) {
-      const auto end = static_cast<IndexType>(std::min(length, (item + 1) * cellsPerItem));
-      for (auto cell = static_cast<IndexType>(item * cellsPerItem); cell < end; ++cell)
+    const auto &      triangulation = m_Complex->GetTriangulation();
+    const std::size_t length = triangulation.GetNumberOfCellIndexes();
+    const auto        visitPiece = [&](std::size_t, std::size_t begin, std::size_t end) {
+      for (auto cell = static_cast<IndexType>(begin); cell < end; ++cell)
       {
         if (triangulation.IsAlive(cell) && !triangulation.IsInfinite(cell))
         {
           visitor(cell);
         }
       }
-    });
+    };
+    DelaunayRefinementThreads::RunPieces(&m_Threads, length, CellsPerPiece, visitPiece);
   }
 
   /** Lowers delta for components in which no tetrahedron has its circumcenter; false if there were none. */
@@ -386,22 +388,21 @@ void
 DelaunayRefinementEngine::Impl::ExamineAllCells()
 {
   using FindingsType = std::vector<DelaunayRefinementRules::FindingType>;
-  constexpr std::size_t     cellsPerItem = 4096;
   const auto &              triangulation = m_Complex->GetTriangulation();
   const auto &              cells = m_Complex->GetNewCells();
-  std::vector<FindingsType> findings(cells.size() / cellsPerItem + 1);
-  m_Threads.Run(findings.size(), [&](std::size_t item, unsigned int) {
-    const std::size_t end = std::min(cells.size(), (item + 1) * cellsPerItem);
-    for (std::size_t i = item * cellsPerItem; i < end; ++i)
+  std::vector<FindingsType> findings(DelaunayRefinementThreads::CountPieces(cells.size(), CellsPerPiece));
+  const auto                examinePiece = [&](std::size_t piece, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
     {
       unsigned int facets = 0;
       for (unsigned int slot = 0; slot < 4; ++slot)
       {
         facets |= triangulation.GetCell(cells[i]).neighbors[slot] > cells[i] ? 1u << slot : 0;
       }
-      m_Rules->Examine(cells[i], facets, findings[item]);
+      m_Rules->Examine(cells[i], facets, findings[piece]);
     }
-  });
+  };
+  DelaunayRefinementThreads::RunPieces(&m_Threads, cells.size(), CellsPerPiece, examinePiece);
   std::for_each(findings.begin(), findings.end(), [this](const FindingsType & some) { this->Queue(some); });
 }
 

@@ -123,11 +123,8 @@ DelaunayRefinementTriangulation::InsertMany(const std::vector<PointType> & point
       return false;
     }
     m_Star.vertex = order[i];
-    if (this->FindStar(m_Points[order[i]], m_CellOfVertex[last], m_Star, 0))
+    if (this->MakeStar(m_Points[order[i]], m_CellOfVertex[last]))
     {
-      this->Take(m_Star);
-      this->Fill(m_Star, 0);
-      this->Finish(m_Star);
       last = order[i];
     }
   }
@@ -165,6 +162,19 @@ DelaunayRefinementTriangulation::FindStar(const PointType & point,
   }
   star.point = point;
   this->FindCavity(start, star, *m_Scratches[thread]);
+  return true;
+}
+
+bool
+DelaunayRefinementTriangulation::MakeStar(const PointType & point, IndexType hint)
+{
+  if (!this->FindStar(point, hint, m_Star, 0))
+  {
+    return false;
+  }
+  this->Take(m_Star);
+  this->Fill(m_Star, 0);
+  this->Finish(m_Star);
   return true;
 }
 
@@ -257,13 +267,10 @@ IndexType
 DelaunayRefinementTriangulation::Insert(const PointType & point, IndexType hint)
 {
   m_Star.vertex = None;
-  if (!this->FindStar(point, hint, m_Star, 0))
+  if (!this->MakeStar(point, hint))
   {
     return None;
   }
-  this->Take(m_Star);
-  this->Fill(m_Star, 0);
-  this->Finish(m_Star);
   m_NewCells.assign(m_Star.cells.begin(), m_Star.cells.end());
   for (const IndexType cell : m_NewCells)
   {

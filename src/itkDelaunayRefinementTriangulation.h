@@ -254,6 +254,10 @@ private:
   void
   FindCavity(IndexType start, StarType & star, ScratchType & scratch) const;
 
+  /** All steps of a single insertion, of m_Star; false if the point is a vertex already. */
+  bool
+  MakeStar(const PointType & point, IndexType hint);
+
   /** Takes cells for a star, and a vertex if it has none. */
   void
   Take(StarType & star);
