@@ -17,35 +17,12 @@
  *=========================================================================*/
 #include "itkDelaunayRefinementBlockQueue.h"
 
-#include <algorithm>
-
 namespace itk
 {
-DelaunayRefinementBlockQueue::DelaunayRefinementBlockQueue(const PointType & minimum, const PointType & maximum)
-  : m_Minimum(minimum)
-  , m_Blocks(NumberOfBlocks)
+DelaunayRefinementBlockQueue::DelaunayRefinementBlockQueue()
+  : m_Blocks(NumberOfBlocks)
   , m_IsChosen(NumberOfBlocks, false)
-{
-  for (unsigned int i = 0; i < 3; ++i)
-  {
-    m_BlocksPerLength[i] = BlocksPerAxis / (maximum[i] - minimum[i]);
-  }
-}
-
-void
-DelaunayRefinementBlockQueue::Push(const DelaunayRefinementTriangulation & triangulation, IndexType cell)
-{
-  const PointType & center = triangulation.GetCell(cell).center;
-  std::uint32_t     block = 0;
-  for (unsigned int i = 0; i < 3; ++i)
-  {
-    const double place = (center[i] - m_Minimum[i]) * m_BlocksPerLength[i];
-    block = block * BlocksPerAxis + static_cast<std::uint32_t>(std::clamp(place, 0.0, BlocksPerAxis - 1.0));
-  }
-  // Odd factors keep blocks apart from each other; neighbors should not be next to each other.
-  constexpr std::uint32_t factor = 203;
-  m_Blocks[block * factor % NumberOfBlocks].Push(triangulation, cell);
-}
+{}
 
 const std::vector<std::uint32_t> &
 DelaunayRefinementBlockQueue::ChooseBlocks(std::size_t most)

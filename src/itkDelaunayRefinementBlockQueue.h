@@ -18,6 +18,7 @@
 #ifndef itkDelaunayRefinementBlockQueue_h
 #define itkDelaunayRefinementBlockQueue_h
 
+#include "itkDelaunayRefinementBlocks.h"
 #include "itkDelaunayRefinementQueue.h"
 
 namespace itk
@@ -31,15 +32,16 @@ namespace itk
 class DelaunayRefinementBlockQueue
 {
 public:
-  using PointType = DelaunayRefinementPoint;
   using IndexType = DelaunayRefinementTriangulation::IndexType;
   using EntryType = DelaunayRefinementQueue::EntryType;
 
-  /** Blocks are parts of a box; those at its border hold all that is beyond. */
-  DelaunayRefinementBlockQueue(const PointType & minimum, const PointType & maximum);
+  DelaunayRefinementBlockQueue();
 
   void
-  Push(const DelaunayRefinementTriangulation & triangulation, IndexType cell);
+  Push(std::uint32_t block, const EntryType & entry)
+  {
+    m_Blocks[block].Push(entry);
+  }
 
   /** Some blocks with entries, at most \c most. A block goes on to be one of them until it is empty, as what is near
    * was used a moment ago. */
@@ -58,8 +60,7 @@ public:
   GetLength() const;
 
 private:
-  static constexpr std::uint32_t BlocksPerAxis = 8;
-  static constexpr std::uint32_t NumberOfBlocks = BlocksPerAxis * BlocksPerAxis * BlocksPerAxis;
+  static constexpr std::uint32_t NumberOfBlocks = DelaunayRefinementBlocks::NumberOfBlocks;
 
   bool
   HasEntries(std::uint32_t block) const
@@ -67,8 +68,6 @@ private:
     return m_Blocks[block].GetLength() > 0;
   }
 
-  PointType                            m_Minimum;
-  PointType                            m_BlocksPerLength;
   std::vector<DelaunayRefinementQueue> m_Blocks;
   std::vector<std::uint32_t>           m_Chosen{};
   std::vector<bool>                    m_IsChosen;

@@ -27,6 +27,7 @@ DelaunayRefinementComplex::DelaunayRefinementComplex(const DelaunayRefinementOra
   : m_Oracle(oracle)
   , m_RoundToFloat(roundToFloat)
   , m_Box(box)
+  , m_Blocks(oracle.GetSurfaceBounds())
 {}
 
 bool
@@ -54,11 +55,10 @@ DelaunayRefinementComplex::Start(const std::vector<PointType> & features,
     points.push_back(features[i]);
     this->AddVertex(VertexKind::FEATURE, deltas[i]);
   }
-  if (!m_Triangulation.InsertMany(points, keepGoing) || !keepGoing())
+  if (!m_Triangulation.InsertMany(points, keepGoing, &threads) || !keepGoing())
   {
     return false;
   }
-  m_Triangulation.SetNumberOfThreads(threads.GetNumberOfThreads());
   const auto & cells = m_Triangulation.GetNewCells();
   m_Regions.resize(m_Triangulation.GetNumberOfCellIndexes());
   constexpr std::size_t cellsPerPiece = 4096;

@@ -21,6 +21,7 @@
 #include "itkDelaunayRefinementGeometry.h"
 #include "itkDelaunayRefinementOracle.h"
 #include "itkDelaunayRefinementThreads.h"
+#include "itkDelaunayRefinementBlocks.h"
 #include "itkDelaunayRefinementTriangulation.h"
 
 namespace itk
@@ -140,6 +141,13 @@ public:
     return m_Triangulation.GetCell(cell).center;
   }
 
+  /** The block of its circumcenter. */
+  std::uint32_t
+  FindBlock(IndexType cell) const
+  {
+    return m_Blocks.Find(this->GetCircumcenter(cell));
+  }
+
   /** 0 for infinite cells. */
   double
   GetSquaredRadius(IndexType cell) const
@@ -215,6 +223,7 @@ private:
   const DelaunayRefinementOracle &    m_Oracle;
   bool                                m_RoundToFloat;
   BoundsType                          m_Box;
+  DelaunayRefinementBlocks            m_Blocks;
   DelaunayRefinementTriangulation     m_Triangulation{};
   DelaunayRefinementArray<RegionType> m_Regions{};
   DelaunayRefinementArray<VertexKind> m_Kinds{};

@@ -23,6 +23,7 @@
 #include "itkDelaunayRefinementComplex.h"
 #include "itkDelaunayRefinementEncroachment.h"
 #include "itkDelaunayRefinementExtraction.h"
+#include "itkDelaunayRefinementMissingComponents.h"
 #include "itkDelaunayRefinementLocalDelta.h"
 #include "itkDelaunayRefinementQueue.h"
 #include "itkDelaunayRefinementRules.h"
@@ -76,8 +77,6 @@ public:
     , m_Parameters(parameters)
     , m_LocalDelta(oracle, parameters)
     , m_Threads(std::min(parameters.numberOfThreads, MostThreads))
-    , m_R2Queue(oracle.GetSurfaceBounds().minimum, oracle.GetSurfaceBounds().maximum)
-    , m_R4Queue(oracle.GetSurfaceBounds().minimum, oracle.GetSurfaceBounds().maximum)
   {}
 
   TerminationReason
@@ -205,9 +204,6 @@ private:
   bool
   LowerDeltaOfMissingComponents();
 
-  std::vector<std::uint32_t>
-  FindMissingComponents() const;
-
   /** Tells the caller how far it is; false if he, now or before, wished to stop. */
   bool
   KeepGoing();
@@ -229,10 +225,10 @@ private:
   std::unique_ptr<DelaunayRefinementRules>          m_Rules{};
   std::unique_ptr<DelaunayRefinementEncroachment>   m_Encroachment{};
   std::unique_ptr<DelaunayRefinementCircumcenters>  m_Circumcenters{};
-  DelaunayRefinementBlockQueue                      m_R2Queue;
+  DelaunayRefinementBlockQueue                      m_R2Queue{};
   DelaunayRefinementQueue                           m_EncroachmentQueue{};
   DelaunayRefinementQueue                           m_R3Queue{};
-  DelaunayRefinementBlockQueue                      m_R4Queue;
+  DelaunayRefinementBlockQueue                      m_R4Queue{};
   std::vector<IndexType>                            m_Found{};
   std::vector<DelaunayRefinementRules::FindingType> m_Findings{};
   DelaunayRefinementArray<std::uint32_t>            m_ExaminedIn{};
@@ -410,22 +406,21 @@ void
 DelaunayRefinementEngine::Impl::Queue(const std::vector<DelaunayRefinementRules::FindingType> & findings)
 {
   using RuleGroupEnum = DelaunayRefinementRules::RuleGroupEnum;
-  const auto & triangulation = m_Complex->GetTriangulation();
   for (const auto & finding : findings)
   {
     switch (finding.which)
     {
       case RuleGroupEnum::R2:
-        m_R2Queue.Push(triangulation, finding.cell);
+        m_R2Queue.Push(finding.block, finding.entry);
         break;
       case RuleGroupEnum::ENCROACHMENT:
-        m_EncroachmentQueue.Push(triangulation, finding.cell);
+        m_EncroachmentQueue.Push(finding.entry);
         break;
       case RuleGroupEnum::R3:
-        m_R3Queue.Push(triangulation, finding.cell, finding.facet);
+        m_R3Queue.Push(finding.entry);
         break;
       case RuleGroupEnum::R4:
-        m_R4Queue.Push(triangulation, finding.cell);
+        m_R4Queue.Push(finding.block, finding.entry);
         break;
     }
   }
@@ -542,7 +537,7 @@ DelaunayRefinementEngine::Impl::ApplyToCircumcenters(DelaunayRefinementBlockQueu
       case OutcomeEnum::LATER:
         if (isThere)
         {
-          queue.Push(triangulation, item.entry.cell);
+          queue.Push(m_Complex->FindBlock(item.entry.cell), item.entry);
         }
         break;
       case OutcomeEnum::BEYOND:
@@ -741,7 +736,7 @@ DelaunayRefinementEngine::Impl::MoveVertex(IndexType vertex)
 bool
 DelaunayRefinementEngine::Impl::LowerDeltaOfMissingComponents()
 {
-  m_Statistics.missingComponents = this->FindMissingComponents();
+  m_Statistics.missingComponents = FindMissingDelaunayRefinementComponents(m_Oracle, *m_Complex, m_Threads);
   if (m_Statistics.missingComponents.empty() || m_NumberOfLowerings == MaximumNumberOfLowerings)
   {
     return false;
@@ -753,32 +748,6 @@ DelaunayRefinementEngine::Impl::LowerDeltaOfMissingComponents()
   }
   m_IsSampleOpen = true;
   return true;
-}
-
-std::vector<std::uint32_t>
-DelaunayRefinementEngine::Impl::FindMissingComponents() const
-{
-  const auto &      triangulation = m_Complex->GetTriangulation();
-  std::vector<bool> isMeshed(m_Oracle.GetNumberOfComponents(), false);
-  std::size_t       numberOfMissing = isMeshed.size();
-  for (IndexType cell = 0; cell < triangulation.GetNumberOfCellIndexes() && numberOfMissing > 0; ++cell)
-  {
-    if (triangulation.IsAlive(cell) && !triangulation.IsInfinite(cell) && m_Complex->GetRegion(cell) != 0)
-    {
-      const auto component = isMeshed.size() == 1 ? 0 : m_Oracle.FindComponent(m_Complex->GetCircumcenter(cell));
-      numberOfMissing -= isMeshed[component] ? 0 : 1;
-      isMeshed[component] = true;
-    }
-  }
-  std::vector<std::uint32_t> missing;
-  for (std::uint32_t component = 0; component < isMeshed.size(); ++component)
-  {
-    if (!isMeshed[component])
-    {
-      missing.push_back(component);
-    }
-  }
-  return missing;
 }
 
 bool

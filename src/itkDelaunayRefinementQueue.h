@@ -40,9 +40,9 @@ public:
   };
 
   void
-  Push(const DelaunayRefinementTriangulation & triangulation, IndexType cell, unsigned int facet = 0)
+  Push(const EntryType & entry)
   {
-    m_Entries.push_back({ cell, triangulation.GetGeneration(cell), facet });
+    m_Entries.push_back(entry);
   }
 
   /** Takes the oldest entry whose cell still exists; false if there is none. */

@@ -57,23 +57,27 @@ DelaunayRefinementRules::Examine(IndexType cell, unsigned int facets, std::vecto
   {
     return;
   }
+  const auto find = [&](RuleGroupEnum which, unsigned int facet) {
+    const std::uint32_t generation = m_Complex.GetTriangulation().GetGeneration(cell);
+    findings.push_back({ which, { cell, generation, facet }, m_Complex.FindBlock(cell) });
+  };
   if (this->MayFireR2(cell))
   {
     // The object is in the box.
     const bool isInBox =
       m_Complex.GetRegion(cell) != 0 || m_Complex.IsStrictlyInsideBox(m_Complex.GetCircumcenter(cell));
-    findings.push_back({ isInBox ? RuleGroupEnum::R2 : RuleGroupEnum::ENCROACHMENT, cell, 0 });
+    find(isInBox ? RuleGroupEnum::R2 : RuleGroupEnum::ENCROACHMENT, 0);
   }
   if (this->FiresR4(cell) || this->FiresCellSize(cell) || this->FiresR4Prime(cell))
   {
-    findings.push_back({ RuleGroupEnum::R4, cell, 0 });
+    find(RuleGroupEnum::R4, 0);
   }
   for (unsigned int i = 0; i < 4; ++i)
   {
     PointType center;
     if ((facets >> i & 1u) && this->MayFireR3(cell, i) && this->FiresR3(cell, i, center))
     {
-      findings.push_back({ RuleGroupEnum::R3, cell, i });
+      find(RuleGroupEnum::R3, i);
     }
   }
 }

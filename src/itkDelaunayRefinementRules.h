@@ -19,6 +19,7 @@
 #define itkDelaunayRefinementRules_h
 
 #include "itkDelaunayRefinementComplex.h"
+#include "itkDelaunayRefinementQueue.h"
 #include "itkDelaunayRefinementSurfaceSample.h"
 
 namespace itk
@@ -96,9 +97,9 @@ public:
   /** A rule that may fire, or that fires if there is nothing left to ask. */
   struct FindingType
   {
-    RuleGroupEnum which;
-    IndexType     cell;
-    unsigned int  facet;
+    RuleGroupEnum                      which;
+    DelaunayRefinementQueue::EntryType entry;
+    std::uint32_t                      block; // of the circumcenter
   };
 
   /** Appends what is to be asked again, or to be done, for a new cell and those of its facets that have their bit set.

@@ -17,26 +17,26 @@
  *=========================================================================*/
 #include "itkDelaunayRefinementSpatialOrder.h"
 
+#include "itkDelaunayRefinementThreads.h"
+
 #include <algorithm>
-#include <numeric>
-#include <random>
 
 namespace itk
 {
 namespace
 {
-constexpr unsigned int BitsPerAxis = 21;
+/** Points that come first of all. */
+constexpr std::size_t NumberOfFirst = 8;
 
-/** Points of one round over those of all rounds up to it. */
-constexpr double      RoundShare = 0.875;
-constexpr std::size_t SmallestRound = 16;
+/** A round has three times as many points as all before it. */
+constexpr unsigned int BitsOfRound = 2;
 
-/** The position along Hilbert's curve of a cube with BitsPerAxis bits along each axis (after J. Skilling, "Programming
- * the Hilbert curve", 2004). */
-std::uint64_t
-ComputeHilbertIndex(std::array<std::uint32_t, 3> x)
+/** The position along Hilbert's curve of a cube with \c bitsPerAxis bits along each axis (after J. Skilling,
+ * "Programming the Hilbert curve", 2004). */
+std::uint32_t
+ComputeHilbertIndex(std::array<std::uint32_t, 3> x, unsigned int bitsPerAxis)
 {
-  for (std::uint32_t bit = 1u << (BitsPerAxis - 1); bit > 1; bit >>= 1)
+  for (std::uint32_t bit = 1u << (bitsPerAxis - 1); bit > 1; bit >>= 1)
   {
     const std::uint32_t lower = bit - 1;
     for (std::uint32_t & coordinate : x)
@@ -56,15 +56,15 @@ ComputeHilbertIndex(std::array<std::uint32_t, 3> x)
   x[1] ^= x[0];
   x[2] ^= x[1];
   std::uint32_t gray = 0;
-  for (std::uint32_t bit = 1u << (BitsPerAxis - 1); bit > 1; bit >>= 1)
+  for (std::uint32_t bit = 1u << (bitsPerAxis - 1); bit > 1; bit >>= 1)
   {
     if (x[2] & bit)
     {
       gray ^= bit - 1;
     }
   }
-  std::uint64_t index = 0;
-  for (unsigned int bit = BitsPerAxis; bit-- > 0;)
+  std::uint32_t index = 0;
+  for (unsigned int bit = bitsPerAxis; bit-- > 0;)
   {
     for (const std::uint32_t coordinate : x)
     {
@@ -73,10 +73,35 @@ ComputeHilbertIndex(std::array<std::uint32_t, 3> x)
   }
   return index;
 }
+
+/** Random bits that depend on a number alone (S. Vigna, "splitmix64", 2015). */
+std::uint64_t
+Scramble(std::uint64_t number)
+{
+  number += 0x9E3779B97F4A7C15u;
+  number = (number ^ number >> 30) * 0xBF58476D1CE4E5B9u;
+  number = (number ^ number >> 27) * 0x94D049BB133111EBu;
+  return number ^ number >> 31;
+}
+
+/** The round of a point that is not among the first. */
+unsigned int
+ChooseRound(std::size_t number)
+{
+  unsigned int  round = DelaunayRefinementSpatialOrder::NumberOfRounds - 1;
+  std::uint64_t random = Scramble(number);
+  while (round > 0 && random % (1u << BitsOfRound) == 0)
+  {
+    random >>= BitsOfRound;
+    --round;
+  }
+  return round;
+}
 } // namespace
 
-std::vector<std::uint32_t>
-ComputeDelaunayRefinementSpatialOrder(const std::vector<DelaunayRefinementPoint> & points)
+DelaunayRefinementSpatialOrder::DelaunayRefinementSpatialOrder(const std::vector<DelaunayRefinementPoint> & points,
+                                                               DelaunayRefinementThreads *                  threads)
+  : m_Entries(points.size())
 {
   DelaunayRefinementPoint minimum;
   minimum.fill(std::numeric_limits<double>::infinity());
@@ -97,40 +122,50 @@ ComputeDelaunayRefinementSpatialOrder(const std::vector<DelaunayRefinementPoint>
   }
   const double perLength = extent > 0.0 ? ((1u << BitsPerAxis) - 1) / extent : 0.0;
 
-  struct EntryType
-  {
-    std::uint64_t key;
-    std::uint32_t number;
-  };
-  std::vector<EntryType> entries(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    std::array<std::uint32_t, 3> cell;
-    for (unsigned int axis = 0; axis < 3; ++axis)
+  DelaunayRefinementArray<EntryType> entries(points.size());
+  constexpr std::size_t              pointsPerPiece = 4096;
+  const auto                         computeKeys = [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
     {
-      cell[axis] = static_cast<std::uint32_t>((points[i][axis] - minimum[axis]) * perLength);
+      std::array<std::uint32_t, 3> cell;
+      for (unsigned int axis = 0; axis < 3; ++axis)
+      {
+        cell[axis] = static_cast<std::uint32_t>((points[i][axis] - minimum[axis]) * perLength);
+      }
+      const unsigned int round = i < NumberOfFirst ? 0 : ChooseRound(i);
+      entries[i] = { round << BitsOfCurve | ComputeHilbertIndex(cell, BitsPerAxis), static_cast<std::uint32_t>(i) };
     }
-    entries[i] = { ComputeHilbertIndex(cell), static_cast<std::uint32_t>(i) };
-  }
-  std::mt19937_64 random(points.size());
-  for (std::size_t i = entries.size(); i > 1; --i)
-  {
-    std::swap(entries[i - 1], entries[random() % i]);
-  }
-  const auto precedes = [](const EntryType & a, const EntryType & b) {
-    return a.key != b.key ? a.key < b.key : a.number < b.number;
   };
-  auto end = entries.end();
-  while (end != entries.begin())
+  DelaunayRefinementThreads::RunPieces(threads, points.size(), pointsPerPiece, computeKeys);
+
+  // By digits, the last ones first.
+  constexpr unsigned int bitsPerDigit = 11;
+  for (unsigned int shift = 0; shift < 32; shift += bitsPerDigit)
   {
-    const auto length = static_cast<std::size_t>(end - entries.begin());
-    const auto round =
-      length <= SmallestRound ? length : static_cast<std::size_t>(RoundShare * static_cast<double>(length));
-    std::sort(end - static_cast<std::ptrdiff_t>(round), end, precedes);
-    end -= static_cast<std::ptrdiff_t>(round);
+    std::array<std::size_t, (1u << bitsPerDigit) + 1> places{};
+    const auto digit = [&](const EntryType & entry) { return entry.key >> shift & ((1u << bitsPerDigit) - 1); };
+    for (const EntryType & entry : entries)
+    {
+      ++places[digit(entry) + 1];
+    }
+    for (std::size_t i = 1; i < places.size(); ++i)
+    {
+      places[i] += places[i - 1];
+    }
+    for (const EntryType & entry : entries)
+    {
+      m_Entries[places[digit(entry)]++] = entry;
+    }
+    m_Entries.swap(entries);
   }
-  std::vector<std::uint32_t> order(points.size());
-  std::transform(entries.begin(), entries.end(), order.begin(), [](const EntryType & entry) { return entry.number; });
-  return order;
+  m_Entries.swap(entries);
+}
+
+std::size_t
+DelaunayRefinementSpatialOrder::GetBegin(unsigned int round) const
+{
+  const auto found = std::partition_point(
+    m_Entries.begin(), m_Entries.end(), [round](const EntryType & entry) { return entry.key >> BitsOfCurve < round; });
+  return static_cast<std::size_t>(found - m_Entries.begin());
 }
 } // end namespace itk

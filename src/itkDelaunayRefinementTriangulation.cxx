@@ -19,7 +19,7 @@
 
 #include "itkDelaunayRefinementBalls.h"
 #include "itkDelaunayRefinementPredicates.h"
-#include "itkDelaunayRefinementSpatialOrder.h"
+#include "itkDelaunayRefinementTriangulationPart.h"
 #include "itkDelaunayRefinementTriangulationScratch.h"
 
 #include <algorithm>
@@ -32,8 +32,6 @@ namespace
 using Predicates = DelaunayRefinementPredicates;
 using PointType = DelaunayRefinementPoint;
 using IndexType = DelaunayRefinementTriangulation::IndexType;
-
-constexpr std::size_t InsertionsBetweenQuestions = 4096;
 
 /** Has memory fetched that will be read soon. */
 void
@@ -81,65 +79,6 @@ DelaunayRefinementTriangulation::DelaunayRefinementTriangulation()
 
 DelaunayRefinementTriangulation::~DelaunayRefinementTriangulation() = default;
 
-bool
-DelaunayRefinementTriangulation::InsertMany(const std::vector<PointType> & points,
-                                            const std::function<bool()> &  keepGoing)
-{
-  m_Points.insert(m_Points.end(), points.begin(), points.end());
-  m_CellOfVertex.resize(m_Points.size(), None);
-  std::vector<IndexType> order = ComputeDelaunayRefinementSpatialOrder(points);
-  for (IndexType & vertex : order)
-  {
-    ++vertex;
-  }
-
-  // Points in space have some seven cells each; more will follow.
-  constexpr std::size_t cellsPerPoint = 12;
-  m_Cells.reserve(cellsPerPoint * points.size());
-  m_Generations.reserve(cellsPerPoint * points.size());
-
-  // The first that make a tetrahedron go to the front.
-  const auto find = [&](std::size_t place, const auto & isGood) {
-    const auto found = std::find_if(order.begin() + static_cast<std::ptrdiff_t>(place), order.end(), isGood);
-    assert(found != order.end());
-    std::rotate(order.begin() + static_cast<std::ptrdiff_t>(place), found, found + 1);
-  };
-  const auto point = [&](std::size_t place) -> const PointType & { return m_Points[order[place]]; };
-  find(2, [&](IndexType vertex) {
-    const PointType u = DelaunayRefinementGeometry::Subtract(point(1), point(0));
-    const PointType v = DelaunayRefinementGeometry::Subtract(m_Points[vertex], point(0));
-    const PointType normal = DelaunayRefinementGeometry::Cross(u, v);
-    return DelaunayRefinementGeometry::Dot(normal, normal) > 0.0;
-  });
-  find(3,
-       [&](IndexType vertex) { return Predicates::Orientation(point(0), point(1), point(2), m_Points[vertex]) != 0; });
-  this->MakeFirstCells({ order[0], order[1], order[2], order[3] });
-
-  IndexType last = order[3];
-  for (std::size_t i = 4; i < order.size(); ++i)
-  {
-    if (i % InsertionsBetweenQuestions == 0 && !keepGoing())
-    {
-      return false;
-    }
-    m_Star.vertex = order[i];
-    if (this->MakeStar(m_Points[order[i]], m_CellOfVertex[last]))
-    {
-      last = order[i];
-    }
-  }
-  m_NewCells.clear();
-  for (IndexType cell = 0; cell < this->GetNumberOfCellIndexes(); ++cell)
-  {
-    if (this->IsAlive(cell))
-    {
-      this->MendBall(cell);
-      m_NewCells.push_back(cell);
-    }
-  }
-  return true;
-}
-
 void
 DelaunayRefinementTriangulation::SetNumberOfThreads(unsigned int numberOfThreads)
 {
@@ -155,14 +94,25 @@ DelaunayRefinementTriangulation::FindStar(const PointType & point,
                                           StarType &        star,
                                           unsigned int      thread) const
 {
-  const IndexType start = this->FindConflict(point, hint);
-  if (start == None)
+  return this->FindStarIn(WholeType(), point, hint, star, *m_Scratches[thread]);
+}
+
+template <typename TDomain>
+bool
+DelaunayRefinementTriangulation::FindStarIn(const TDomain &   domain,
+                                            const PointType & point,
+                                            IndexType         hint,
+                                            StarType &        star,
+                                            ScratchType &     scratch) const
+{
+  const IndexType start = this->FindConflict(domain, point, hint);
+  star.cavity.assign(1, start == None ? hint : start);
+  if (start == None || !domain.MayChange(m_Cells[start]))
   {
     return false;
   }
   star.point = point;
-  this->FindCavity(start, star, *m_Scratches[thread]);
-  return true;
+  return this->FindCavity(domain, start, star, scratch);
 }
 
 bool
@@ -279,55 +229,19 @@ DelaunayRefinementTriangulation::Insert(const PointType & point, IndexType hint)
   return m_Star.vertex;
 }
 
-void
-DelaunayRefinementTriangulation::MakeFirstCells(std::array<IndexType, 4> v)
-{
-  if (Predicates::Orientation(m_Points[v[0]], m_Points[v[1]], m_Points[v[2]], m_Points[v[3]]) < 0)
-  {
-    std::swap(v[2], v[3]);
-  }
-  const IndexType finite = this->TakeCell();
-  m_Cells[finite].vertices = v;
-  std::array<IndexType, 4> infinite;
-  for (unsigned int i = 0; i < 4; ++i)
-  {
-    infinite[i] = this->TakeCell();
-    // An odd permutation of the finite cell, as it lies on the other side of the facet.
-    auto & vertices = m_Cells[infinite[i]].vertices;
-    vertices = v;
-    vertices[i] = InfiniteVertex;
-    std::swap(vertices[(i + 1) & 3], vertices[(i + 2) & 3]);
-    m_Cells[infinite[i]].neighbors[i] = finite;
-    m_Cells[finite].neighbors[i] = infinite[i];
-  }
-  for (unsigned int i = 0; i < 4; ++i)
-  {
-    for (unsigned int slot = 0; slot < 4; ++slot)
-    {
-      if (slot != i)
-      {
-        // Opposite to vertex j of the finite cell is the infinite cell j.
-        const IndexType vertex = m_Cells[infinite[i]].vertices[slot];
-        const auto      j = std::find(v.begin(), v.end(), vertex) - v.begin();
-        m_Cells[infinite[i]].neighbors[slot] = infinite[j];
-      }
-    }
-  }
-  for (const IndexType cell : { finite, infinite[0], infinite[1], infinite[2], infinite[3] })
-  {
-    this->UpdateCellOfVertices(cell);
-    this->ComputeBall(cell);
-  }
-}
-
+template <typename TDomain>
 IndexType
-DelaunayRefinementTriangulation::FindConflict(const PointType & point, IndexType hint) const
+DelaunayRefinementTriangulation::FindConflict(const TDomain & domain, const PointType & point, IndexType hint) const
 {
   if (this->IsInConflict(hint, point))
   {
     return hint;
   }
-  const IndexType cell = this->Locate(point, hint);
+  const IndexType cell = this->Locate(domain, point, hint);
+  if (cell == None)
+  {
+    return None;
+  }
   for (const IndexType vertex : m_Cells[cell].vertices)
   {
     if (vertex != InfiniteVertex && m_Points[vertex] == point)
@@ -338,8 +252,9 @@ DelaunayRefinementTriangulation::FindConflict(const PointType & point, IndexType
   return cell;
 }
 
+template <typename TDomain>
 IndexType
-DelaunayRefinementTriangulation::Locate(const PointType & point, IndexType start) const
+DelaunayRefinementTriangulation::Locate(const TDomain & domain, const PointType & point, IndexType start) const
 {
   // Towards any facet that the point is beyond: in a Delaunay triangulation this never goes round in circles.
   IndexType cell = start;
@@ -359,22 +274,26 @@ DelaunayRefinementTriangulation::Locate(const PointType & point, IndexType start
       continue;
     }
     IndexType next = None;
+    bool      isOutOfSight = false;
     for (unsigned int i = 0; i < 4 && next == None; ++i)
     {
-      if (current.neighbors[i] != previous)
+      const bool maySee = domain.MaySeeBeyond(current, i);
+      if (maySee && current.neighbors[i] == previous)
       {
-        const PointType * const corner = corners[i];
-        corners[i] = &point;
-        if (Predicates::Orientation(*corners[0], *corners[1], *corners[2], *corners[3]) < 0)
-        {
-          next = current.neighbors[i];
-        }
-        corners[i] = corner;
+        continue;
       }
+      const PointType * const corner = corners[i];
+      corners[i] = &point;
+      if (Predicates::Orientation(*corners[0], *corners[1], *corners[2], *corners[3]) < 0)
+      {
+        next = maySee ? current.neighbors[i] : None;
+        isOutOfSight = !maySee || isOutOfSight;
+      }
+      corners[i] = corner;
     }
     if (next == None)
     {
-      return cell;
+      return isOutOfSight ? None : cell;
     }
     previous = cell;
     cell = next;
@@ -412,29 +331,36 @@ DelaunayRefinementTriangulation::IsInConflictExactly(IndexType cell, const Point
 void
 DelaunayRefinementTriangulation::AddBoundary(IndexType cell, unsigned int slot, StarType & star) const
 {
+  // By its vertex, as other threads may be changing what the cell beyond has for neighbors elsewhere.
   const IndexType beyond = m_Cells[cell].neighbors[slot];
-  const auto &    neighbors = m_Cells[beyond].neighbors;
-  unsigned int    mirror = 0;
-  while (neighbors[mirror] != cell)
+  const auto &    inner = m_Cells[cell].vertices;
+  const auto &    outer = m_Cells[beyond].vertices;
+  const IndexType apex =
+    inner[0] ^ inner[1] ^ inner[2] ^ inner[3] ^ inner[slot] ^ outer[0] ^ outer[1] ^ outer[2] ^ outer[3];
+  unsigned int mirror = 0;
+  while (outer[mirror] != apex)
   {
     ++mirror;
   }
-  star.boundary.push_back(
-    { m_Cells[cell].vertices, beyond, static_cast<std::uint8_t>(slot), static_cast<std::uint8_t>(mirror) });
+  star.boundary.push_back({ inner, beyond, static_cast<std::uint8_t>(slot), static_cast<std::uint8_t>(mirror) });
 }
 
-void
-DelaunayRefinementTriangulation::FindCavity(IndexType start, StarType & star, ScratchType & scratch) const
+template <typename TDomain>
+bool
+DelaunayRefinementTriangulation::FindCavity(const TDomain & domain,
+                                            IndexType       start,
+                                            StarType &      star,
+                                            ScratchType &   scratch) const
 {
   using MarkEnum = ScratchType::MarkEnum;
   scratch.cellMarks.resize(m_Cells.size(), MarkEnum::NONE);
   MarkEnum * const       marks = scratch.cellMarks.data();
   const CellType * const cells = m_Cells.data();
   const PointType        point = star.point;
-  star.cavity.assign(1, start);
+  bool                   mayChangeAll = true;
   star.boundary.clear();
   marks[start] = MarkEnum::IN;
-  for (std::size_t i = 0; i < star.cavity.size(); ++i)
+  for (std::size_t i = 0; i < star.cavity.size() && mayChangeAll; ++i)
   {
     const IndexType cell = star.cavity[i];
     for (unsigned int slot = 0; slot < 4; ++slot)
@@ -448,6 +374,11 @@ DelaunayRefinementTriangulation::FindCavity(IndexType start, StarType & star, Sc
       {
         if (this->IsInConflict(neighbor, point))
         {
+          if (!domain.MayChange(cells[neighbor]))
+          {
+            mayChangeAll = false;
+            break;
+          }
           marks[neighbor] = MarkEnum::IN;
           star.cavity.push_back(neighbor);
           for (const IndexType next : cells[neighbor].neighbors)
@@ -462,6 +393,7 @@ DelaunayRefinementTriangulation::FindCavity(IndexType start, StarType & star, Sc
     }
   }
   scratch.ClearMarks(star);
+  return mayChangeAll;
 }
 
 void
@@ -649,6 +581,10 @@ DelaunayRefinementTriangulation::MendBall(IndexType index)
   cell.center = ball.center;
   cell.signedSquaredRadius = -ball.squaredRadius;
 }
+
+template bool
+DelaunayRefinementTriangulation::FindStarIn(const PartType &, const PointType &, IndexType, StarType &, ScratchType &)
+  const;
 
 bool
 DelaunayRefinementTriangulation::IsValid() const

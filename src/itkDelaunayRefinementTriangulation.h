@@ -26,6 +26,8 @@
 
 namespace itk
 {
+class DelaunayRefinementThreads;
+
 /** \class DelaunayRefinementTriangulation
  * \brief A Delaunay triangulation of points, in arrays of indexes.
  *
@@ -82,16 +84,20 @@ public:
   ~DelaunayRefinementTriangulation();
 
   /** Inserts the first points, at least four that are not coplanar and none twice, in an order of its own. Point i
-   * becomes vertex i + 1. False if \c keepGoing, asked now and then, said so; the triangulation is of no use then. */
+   * becomes vertex i + 1. The cells are the same on any number of threads; all is done on the calling one if
+   * \c threads is null. Quickest if the first eight points are the corners of a box around the others. False if
+   * \c keepGoing, asked now and then on the calling thread, said so; the triangulation is of no use then. */
   bool
-  InsertMany(const std::vector<PointType> & points, const std::function<bool()> & keepGoing);
+  InsertMany(const std::vector<PointType> & points,
+             const std::function<bool()> &  keepGoing,
+             DelaunayRefinementThreads *    threads = nullptr);
 
   /** Inserts a point near the cell \c hint; at once if it lies within the hint's circumsphere. Returns the new vertex,
    * None if the point is a vertex already. */
   IndexType
   Insert(const PointType & point, IndexType hint);
 
-  /** Makes room for threads that work on stars, by numbers below this one. */
+  /** Makes room for threads that work on stars, by numbers below this one; InsertMany() does. */
   void
   SetNumberOfThreads(unsigned int numberOfThreads);
 
@@ -217,17 +223,42 @@ private:
     }
   };
 
-  /** The finite cell of four points and the infinite ones around it. */
-  void
-  MakeFirstCells(std::array<IndexType, 4> vertices);
+  class ScratchType;
+  class BulkType;
+
+  /** Everything may be seen and changed. */
+  struct WholeType
+  {
+    static bool
+    MaySeeBeyond(const CellType &, unsigned int)
+    {
+      return true;
+    }
+
+    static bool
+    MayChange(const CellType &)
+    {
+      return true;
+    }
+  };
+
+  class PartType;
+
+  /** FindStar() with what a domain lets it see and change; false also if that is not enough. */
+  template <typename TDomain>
+  bool
+  FindStarIn(const TDomain & domain, const PointType & point, IndexType hint, StarType & star, ScratchType & scratch)
+    const;
 
   /** A cell in whose circumball a point lies, None if the point is a vertex. */
+  template <typename TDomain>
   IndexType
-  FindConflict(const PointType & point, IndexType hint) const;
+  FindConflict(const TDomain & domain, const PointType & point, IndexType hint) const;
 
-  /** The finite cell that contains a point, or an infinite one beyond whose facet it is. */
+  /** The finite cell that contains a point, or an infinite one beyond whose facet it is; None if it is out of sight. */
+  template <typename TDomain>
   IndexType
-  Locate(const PointType & point, IndexType start) const;
+  Locate(const TDomain & domain, const PointType & point, IndexType start) const;
 
   bool
   IsInConflict(IndexType cell, const PointType & point) const
@@ -248,11 +279,10 @@ private:
   bool
   IsInConflictExactly(IndexType cell, const PointType & point) const;
 
-  class ScratchType;
-
-  /** The cells in conflict with a star's point, \c start among them. */
-  void
-  FindCavity(IndexType start, StarType & star, ScratchType & scratch) const;
+  /** The cells in conflict with a star's point, \c start among them; false if not all may be changed. */
+  template <typename TDomain>
+  bool
+  FindCavity(const TDomain & domain, IndexType start, StarType & star, ScratchType & scratch) const;
 
   /** All steps of a single insertion, of m_Star; false if the point is a vertex already. */
   bool

@@ -356,8 +356,84 @@ INSTANTIATE_TEST_SUITE_P(Points,
                                          PointSet{ "NearlyFlat", MakeNearlyFlat(600) }),
                          [](const auto & test) { return test.param.name; });
 
+namespace
+{
+/** Within the corners of a box, as in a mesh. */
+std::vector<PointType>
+PutIntoBox(std::vector<PointType> points, double size)
+{
+  for (unsigned int corner = 0; corner < 8; ++corner)
+  {
+    const PointType point{ corner & 1u ? size : -size, corner & 2u ? size : -size, corner & 4u ? size : -size };
+    points.insert(points.begin(), point);
+  }
+  return points;
+}
+
+/** So many points that they are inserted by parts. */
+class DelaunayRefinementTriangulationByParts : public testing::TestWithParam<PointSet>
+{};
+} // namespace
+
+TEST_P(DelaunayRefinementTriangulationByParts, MakesTheCellsOfTheWitness)
+{
+  TriangulationType              triangulation;
+  itk::DelaunayRefinementThreads threads(3);
+  ASSERT_TRUE(triangulation.InsertMany(GetParam().points, keepGoing, &threads));
+  ExpectSameAsWitness(triangulation);
+  for (IndexType vertex = 0; vertex < triangulation.GetNumberOfVertexIndexes(); ++vertex)
+  {
+    const IndexType cell = triangulation.GetCellOfVertex(vertex);
+    ASSERT_TRUE(triangulation.IsAlive(cell));
+    const auto & vertices = triangulation.GetCell(cell).vertices;
+    EXPECT_NE(std::find(vertices.begin(), vertices.end(), vertex), vertices.end());
+  }
+}
+
+TEST_P(DelaunayRefinementTriangulationByParts, GivesTheSameIndexesOnAnyNumberOfThreads)
+{
+  TriangulationType expected;
+  ASSERT_TRUE(expected.InsertMany(GetParam().points, keepGoing));
+  for (const unsigned int numberOfThreads : { 1, 2, 5 })
+  {
+    TriangulationType              triangulation;
+    itk::DelaunayRefinementThreads threads(numberOfThreads);
+    ASSERT_TRUE(triangulation.InsertMany(GetParam().points, keepGoing, &threads));
+    ASSERT_EQ(triangulation.GetNewCells(), expected.GetNewCells());
+    for (const IndexType cell : expected.GetNewCells())
+    {
+      ASSERT_EQ(triangulation.GetCell(cell).vertices, expected.GetCell(cell).vertices);
+      ASSERT_EQ(triangulation.GetCell(cell).neighbors, expected.GetCell(cell).neighbors);
+    }
+    for (IndexType vertex = 0; vertex < expected.GetNumberOfVertexIndexes(); ++vertex)
+    {
+      ASSERT_EQ(triangulation.GetCellOfVertex(vertex), expected.GetCellOfVertex(vertex));
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Points,
+                         DelaunayRefinementTriangulationByParts,
+                         testing::Values(PointSet{ "Random", MakeRandomPoints(20000) },
+                                         PointSet{ "RandomInBox", PutIntoBox(MakeRandomPoints(20000), 1.5) },
+                                         PointSet{ "Lattice", MakeLattice(27) },
+                                         PointSet{ "SphereInBox", PutIntoBox(MakeSphere(20000, 0.0), 2.0) },
+                                         PointSet{ "ManyInBox", PutIntoBox(MakeRandomPoints(210000), 1.5) }),
+                         [](const auto & test) { return test.param.name; });
+
 TEST(DelaunayRefinementTriangulationStops, WhenItIsTold)
 {
   TriangulationType triangulation;
   EXPECT_FALSE(triangulation.InsertMany(MakeRandomPoints(10000), [] { return false; }));
+}
+
+TEST(DelaunayRefinementTriangulationStops, AmongParts)
+{
+  itk::DelaunayRefinementThreads threads(2);
+  for (const int most : { 2, 4 })
+  {
+    int               number = 0;
+    TriangulationType triangulation;
+    EXPECT_FALSE(triangulation.InsertMany(MakeRandomPoints(50000), [&] { return ++number < most; }, &threads));
+  }
 }
