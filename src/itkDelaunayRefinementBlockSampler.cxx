@@ -318,11 +318,13 @@ DelaunayRefinementBlockSampler::CoverPatches(const GroupType & group)
   m_Nearby.Start(group.center, extent);
   std::for_each(m_Found.begin(), m_Found.end(), [this](const PointType & vertex) { m_Nearby.Add(vertex); });
   m_Parts.Clear(group.center);
+  const PatchesType & patches = m_Marks->GetPatches();
   for (std::size_t i = group.begin; i < group.end; ++i)
   {
-    if (!m_Marks->IsCovered(i))
+    if (!m_Marks->IsCovered(i) &&
+        !m_Nearby.DoTwoCover(patches.Get(i), this->GetLeastDelta(patches, i, group.isUniform)))
     {
-      m_Oracle.SplitSurfacePatch(m_Marks->GetPatches().GetIdentifier(i), m_Parts);
+      m_Oracle.SplitSurfacePatch(patches.GetIdentifier(i), m_Parts);
     }
   }
   while (m_Parts.GetSize() > 0)
@@ -337,7 +339,7 @@ DelaunayRefinementBlockSampler::CoverPatches(const GroupType & group)
     {
       const double delta = this->GetLeastDelta(m_Wholes, i, group.isUniform);
       const auto   answer = m_Nearby.Ask(m_Wholes, i, delta, HopefulShare);
-      if (answer == AnswerEnum::COVERED)
+      if (answer == AnswerEnum::COVERED || (answer == AnswerEnum::NEAR && m_Nearby.DoTwoCover(m_Wholes.Get(i), delta)))
       {
         continue;
       }

@@ -101,4 +101,112 @@ DelaunayRefinementNearbyPoints::HasPointWithin(const PointType & point, double r
   }
   return false;
 }
+
+ITK_DELAUNAY_REFINEMENT_WIDE_LOOPS
+bool
+DelaunayRefinementNearbyPoints::DoTwoCover(const PatchesType::PatchType & patch, double delta) const
+{
+  // The halves of a box on either side of the plane between two points are convex: its corners, and where its edges
+  // cross the plane, stand for all of it. What rounding moves these off the plane is little against the margin.
+  const auto    less = static_cast<float>((1.0 - MarginOfTwo) * delta - PatchesType::GetRounding(m_Extent + delta));
+  const float   squaredReach = Square(less);
+  const BoxType box{ static_cast<float>(patch.halfExtents[0]),
+                     static_cast<float>(patch.halfExtents[1]),
+                     static_cast<float>(patch.halfExtents[2]) };
+  const LocalPointType                                        center{ static_cast<float>(patch.center[0] - m_Origin[0]),
+                               static_cast<float>(patch.center[1] - m_Origin[1]),
+                               static_cast<float>(patch.center[2] - m_Origin[2]) };
+  constexpr std::int32_t                                      allCorners = 0xFF;
+  std::array<std::array<std::int32_t, BlockSize>, MostBlocks> corners;
+  std::array<std::int32_t, BlockSize>                         together{};
+  std::array<std::int32_t, BlockSize>                         nearestBlocks{};
+  std::array<float, BlockSize>                                leasts;
+  leasts.fill(std::numeric_limits<float>::infinity());
+  const auto numberOfBlocks = static_cast<std::int32_t>(std::min(MostBlocks, m_Blocks.size()));
+  for (std::int32_t j = 0; j < numberOfBlocks; ++j)
+  {
+    const BlockType & block = m_Blocks[j];
+#ifdef __GNUC__
+#  pragma GCC unroll 1
+#endif
+    for (std::size_t i = 0; i < BlockSize; ++i)
+    {
+      const float x = block[0][i] - center[0];
+      const float y = block[1][i] - center[1];
+      const float z = block[2][i] - center[2];
+      const float lowX = (x + box[0]) * (x + box[0]);
+      const float lowY = (y + box[1]) * (y + box[1]);
+      const float lowZ = squaredReach - (z + box[2]) * (z + box[2]);
+      const float highX = (x - box[0]) * (x - box[0]);
+      const float highY = (y - box[1]) * (y - box[1]);
+      const float highZ = squaredReach - (z - box[2]) * (z - box[2]);
+      corners[j][i] = (lowX + lowY <= lowZ ? 1 : 0) | (highX + lowY <= lowZ ? 2 : 0) | (lowX + highY <= lowZ ? 4 : 0) |
+                      (highX + highY <= lowZ ? 8 : 0) | (lowX + lowY <= highZ ? 16 : 0) |
+                      (highX + lowY <= highZ ? 32 : 0) | (lowX + highY <= highZ ? 64 : 0) |
+                      (highX + highY <= highZ ? 128 : 0);
+      together[i] |= corners[j][i];
+      const float squared = x * x + y * y + z * z;
+      nearestBlocks[i] = squared < leasts[i] ? j : nearestBlocks[i];
+      leasts[i] = squared < leasts[i] ? squared : leasts[i];
+    }
+  }
+  if ((together[0] | together[1] | together[2] | together[3] | together[4] | together[5] | together[6] | together[7]) !=
+      allCorners)
+  {
+    return false;
+  }
+  // The nearest, and another that covers the corners it does not.
+  const auto nearest = static_cast<std::size_t>(std::min_element(leasts.begin(), leasts.end()) - leasts.begin());
+  const auto getPoint = [&](const BlockType & block, std::size_t place) -> LocalPointType {
+    return { block[0][place] - center[0], block[1][place] - center[1], block[2][place] - center[2] };
+  };
+  const std::int32_t   ownCorners = corners[nearestBlocks[nearest]][nearest];
+  const LocalPointType point = getPoint(m_Blocks[nearestBlocks[nearest]], nearest);
+  for (std::int32_t j = 0; j < numberOfBlocks; ++j)
+  {
+    std::int32_t others = 0;
+    for (std::size_t i = 0; i < BlockSize; ++i)
+    {
+      others |= (corners[j][i] | ownCorners) == allCorners ? 1 << i : 0;
+    }
+    for (std::size_t i = 0; others >> i != 0; ++i)
+    {
+      if ((others >> i & 1) != 0 && AreEdgesCovered(box, point, getPoint(m_Blocks[j], i), squaredReach))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+bool
+DelaunayRefinementNearbyPoints::AreEdgesCovered(const BoxType &        box,
+                                                const LocalPointType & a,
+                                                const LocalPointType & b,
+                                                float                  squaredReach)
+{
+  const LocalPointType normal{ a[0] - b[0], a[1] - b[1], a[2] - b[2] };
+  const float  offset = 0.5f * (normal[0] * (a[0] + b[0]) + normal[1] * (a[1] + b[1]) + normal[2] * (a[2] + b[2]));
+  std::int32_t numberUncovered = 0;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    const unsigned int y = (axis + 1) % 3;
+    const unsigned int z = (axis + 2) % 3;
+    const float        perNormal = 1.0f / normal[axis];
+    constexpr float    signs[2][4] = { { -1.0f, 1.0f, -1.0f, 1.0f }, { -1.0f, -1.0f, 1.0f, 1.0f } };
+    for (unsigned int edge = 0; edge < 4; ++edge)
+    {
+      const float placeY = signs[0][edge] * box[y];
+      const float placeZ = signs[1][edge] * box[z];
+      const float crossing = (offset - normal[y] * placeY - normal[z] * placeZ) * perNormal;
+      const float dx = crossing - a[axis];
+      const float dy = placeY - a[y];
+      const float dz = placeZ - a[z];
+      numberUncovered +=
+        (std::abs(crossing) <= box[axis] ? 1 : 0) & (dx * dx + dy * dy + dz * dz > squaredReach ? 1 : 0);
+    }
+  }
+  return numberUncovered == 0;
+}
 } // end namespace itk

@@ -75,6 +75,10 @@ public:
   AnswerEnum
   Ask(const PatchesType & patches, std::size_t number, double delta, double nearShare) const;
 
+  /** Whether two of the points cover a patch's box together: a part of it each. */
+  bool
+  DoTwoCover(const PatchesType::PatchType & patch, double delta) const;
+
   /** Whether some point lies within \c radius of another, give or take the rounding to single precision. */
   bool
   HasPointWithin(const PointType & point, double radius) const;
@@ -82,11 +86,26 @@ public:
 private:
   static constexpr std::size_t BlockSize = 8;
 
+  /** Further blocks are left out where points are to cover together. */
+  static constexpr std::size_t MostBlocks = 16;
+
   /** More than is lost to any rounding here. */
   static constexpr double Roundings = 8.0 * std::numeric_limits<float>::epsilon();
 
+  /** Of delta: by so much less two points together cover. */
+  static constexpr double MarginOfTwo = 1e-4;
+
   /** The coordinates of some points. */
   using BlockType = std::array<std::array<float, BlockSize>, 3>;
+
+  /** A box around the origin of coordinates. */
+  using BoxType = std::array<float, 3>;
+  using LocalPointType = std::array<float, 3>;
+
+  /** Whether each edge of a box whose ends are nearer to different points is within reach of both of them where they
+   * are equally near. */
+  static bool
+  AreEdgesCovered(const BoxType & box, const LocalPointType & a, const LocalPointType & b, float squaredReach);
 
   static float
   Square(float length)

@@ -72,9 +72,9 @@ DelaunayRefinementPointGrid::Add(const PointType & point)
 
 template <typename TVisitor>
 bool
-DelaunayRefinementPointGrid::VisitCubes(const PointType & minimum,
-                                        const PointType & maximum,
-                                        const TVisitor &  visitor) const
+DelaunayRefinementPointGrid::VisitBlocks(const PointType & minimum,
+                                         const PointType & maximum,
+                                         const TVisitor &  visitor) const
 {
   const CubeType first = this->ToCube(minimum);
   const CubeType last = this->ToCube(maximum);
@@ -91,17 +91,13 @@ DelaunayRefinementPointGrid::VisitCubes(const PointType & minimum,
         for (; occupied != 0; occupied &= occupied - 1)
         {
           const std::int32_t x = 64 * word + static_cast<std::int32_t>(FindDelaunayRefinementBit(occupied));
-          for (std::int32_t number = m_LastBlocks[this->ToOffset(x, y, z)]; number != None;)
+          for (std::int32_t number = m_LastBlocks[this->ToOffset(x, y, z)]; number != None;
+               number = m_Blocks[number].previous)
           {
-            const BlockType & block = m_Blocks[number];
-            for (std::uint32_t i = 0; i < block.numberOfPoints; ++i)
+            if (visitor(m_Blocks[number]))
             {
-              if (visitor(block.points[i]))
-              {
-                return true;
-              }
+              return true;
             }
-            number = block.previous;
           }
         }
       }
@@ -114,11 +110,15 @@ bool
 DelaunayRefinementPointGrid::HasPointWithin(const PointType & point, double radius) const
 {
   const double squaredRadius = radius * radius;
-  return this->VisitCubes({ point[0] - radius, point[1] - radius, point[2] - radius },
-                          { point[0] + radius, point[1] + radius, point[2] + radius },
-                          [&](const PointType & other) {
-                            return DelaunayRefinementGeometry::SquaredDistance(point, other) <= squaredRadius;
-                          });
+  const auto   isWithin = [&](const PointType & other) {
+    return DelaunayRefinementGeometry::SquaredDistance(point, other) <= squaredRadius;
+  };
+  return this->VisitBlocks({ point[0] - radius, point[1] - radius, point[2] - radius },
+                           { point[0] + radius, point[1] + radius, point[2] + radius },
+                           [&](const BlockType & block) {
+                             const auto * const end = block.points.data() + block.numberOfPoints;
+                             return std::any_of(block.points.data(), end, isWithin);
+                           });
 }
 
 void
@@ -134,18 +134,24 @@ DelaunayRefinementPointGrid::FindWithinOfBox(const PointType &        center,
     minimum[i] = center[i] - halfExtents[i] - radius;
     maximum[i] = center[i] + halfExtents[i] + radius;
   }
-  this->VisitCubes(minimum, maximum, [&](const PointType & point) {
-    double squared = 0.0;
-    for (unsigned int i = 0; i < 3; ++i)
+  std::size_t number = found.size();
+  this->VisitBlocks(minimum, maximum, [&](const BlockType & block) {
+    // No branch for each point, as processors can't tell what is within.
+    found.resize(number + block.points.size());
+    for (std::uint32_t i = 0; i < block.numberOfPoints; ++i)
     {
-      const double beyond = std::max(0.0, std::abs(point[i] - center[i]) - halfExtents[i]);
-      squared += beyond * beyond;
-    }
-    if (squared <= radius * radius)
-    {
-      found.push_back(point);
+      const PointType & point = block.points[i];
+      double            squared = 0.0;
+      for (unsigned int axis = 0; axis < 3; ++axis)
+      {
+        const double beyond = std::max(0.0, std::abs(point[axis] - center[axis]) - halfExtents[axis]);
+        squared += beyond * beyond;
+      }
+      found[number] = point;
+      number += squared <= radius * radius ? 1 : 0;
     }
     return false;
   });
+  found.resize(number);
 }
 } // end namespace itk

@@ -80,10 +80,10 @@ private:
     std::int32_t             previous;
   };
 
-  /** Calls \c visitor with the points in the cubes that meet a box until it returns true, and tells whether it did. */
+  /** Calls \c visitor with the blocks of the cubes that meet a box until it returns true, and tells whether it did. */
   template <typename TVisitor>
   bool
-  VisitCubes(const PointType & minimum, const PointType & maximum, const TVisitor & visitor) const;
+  VisitBlocks(const PointType & minimum, const PointType & maximum, const TVisitor & visitor) const;
 
   /** Points beyond the box belong to the cubes at its border: slower there, never wrong. */
   CubeType

@@ -328,23 +328,6 @@ DelaunayRefinementTriangulation::IsInConflictExactly(IndexType cell, const Point
   return side != 0 ? side > 0 : IsInsidePerturbed(corners, point);
 }
 
-void
-DelaunayRefinementTriangulation::AddBoundary(IndexType cell, unsigned int slot, StarType & star) const
-{
-  // By its vertex, as other threads may be changing what the cell beyond has for neighbors elsewhere.
-  const IndexType beyond = m_Cells[cell].neighbors[slot];
-  const auto &    inner = m_Cells[cell].vertices;
-  const auto &    outer = m_Cells[beyond].vertices;
-  const IndexType apex =
-    inner[0] ^ inner[1] ^ inner[2] ^ inner[3] ^ inner[slot] ^ outer[0] ^ outer[1] ^ outer[2] ^ outer[3];
-  unsigned int mirror = 0;
-  while (outer[mirror] != apex)
-  {
-    ++mirror;
-  }
-  star.boundary.push_back({ inner, beyond, static_cast<std::uint8_t>(slot), static_cast<std::uint8_t>(mirror) });
-}
-
 template <typename TDomain>
 bool
 DelaunayRefinementTriangulation::FindCavity(const TDomain & domain,
