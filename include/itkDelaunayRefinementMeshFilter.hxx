@@ -20,6 +20,7 @@
 
 #include "itkDelaunayRefinementMeshFilter.h"
 
+#include "itkDelaunayRefinementCellsContainer.h"
 #include "itkDelaunayRefinementEngine.h"
 #include "itkDelaunayRefinementFirstUses.h"
 #include "itkImageDelaunayRefinementOracle.h"
@@ -391,11 +392,11 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::CopyCells(const Delaunay
   }
   // The mesh owns the cells, null or not, from the start: nothing is lost or deleted twice.
   to->SetCellsAllocationMethod(MeshEnums::MeshClassCellsAllocationMethod::CellsAllocatedDynamicallyCellByCell);
-  to->SetCells(OutputMeshType::CellsContainer::New());
+  const auto cells = DelaunayRefinementCellsContainer<OutputMeshType>::New();
+  cells->template Allocate<TCell>(from.size());
+  to->SetCells(cells);
   to->SetCellData(OutputMeshType::CellDataContainer::New());
-  to->GetCells()->Reserve(static_cast<IdentifierType>(from.size()));
   to->GetCellData()->Reserve(static_cast<IdentifierType>(from.size()));
-  auto & cells = to->GetCells()->CastToSTLContainer();
   auto & data = to->GetCellData()->CastToSTLContainer();
 
   constexpr std::size_t length = 8192;
@@ -408,8 +409,7 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::CopyCells(const Delaunay
     const std::size_t end = std::min(from.size(), (piece + 1) * length);
     for (std::size_t i = piece * length; i < end && !isAborted.load(std::memory_order_relaxed); ++i)
     {
-      auto * cell = new TCell;
-      cells[i] = cell;
+      TCell * const cell = cells->template MakeCell<TCell>(i);
       data[i] = value;
       for (unsigned int j = 0; j < from[i].size(); ++j)
       {

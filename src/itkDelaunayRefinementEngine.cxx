@@ -329,6 +329,8 @@ DelaunayRefinementEngine::Impl::StartComplex(const std::vector<PointType> & seed
   m_Statistics.insertions[static_cast<std::size_t>(RefinementRule::R1)] = seeds.size();
   if (!m_Complex->Start(seeds, deltas, m_Threads, [this] { return this->KeepGoing(); }))
   {
+    // Half a triangulation is none.
+    m_Complex.reset();
     return false;
   }
   this->ExamineAllCells();

@@ -213,6 +213,48 @@ TEST(DelaunayRefinementMeshFilterComponents, SmallOnesAreMeshedOrNamed)
   }
 }
 
+TEST(DelaunayRefinementMeshFilterComponents, EachOfManyIsFoundOrNamed)
+{
+  // A block, and around it more components than bits fit into a word: single voxels and cubes of eight in turn.
+  constexpr int                   size = 40;
+  std::vector<std::array<int, 3>> voxels;
+  const auto                      add = [&voxels](int x, int y, int z, int edge) {
+    for (int i = 0; i < edge * edge * edge; ++i)
+    {
+      voxels.push_back({ x + i % edge, y + i / edge % edge, z + i / (edge * edge) });
+    }
+  };
+  add(2, 2, 20, 18);
+  std::size_t numberOfSingles = 0;
+  std::size_t numberOfCubes = 0;
+  for (int y = 2; y + 4 < size; y += 5)
+  {
+    for (int x = 2; x + 4 < size; x += 5)
+    {
+      for (int z = 2; z < 16; z += 5)
+      {
+        const bool isCube = (x + y + z) % 2 == 0;
+        add(x, y, z, isCube ? 2 : 1);
+        numberOfCubes += isCube ? 1 : 0;
+        numberOfSingles += isCube ? 0 : 1;
+      }
+    }
+  }
+  const auto filter = MakeFilter(MakeVoxels(size, voxels).GetPointer(), 4.0);
+  filter->Update();
+  EXPECT_EQ(filter->GetComponents().size(), 1 + numberOfCubes + numberOfSingles);
+  EXPECT_GT(numberOfCubes, 64u);
+  const auto &       missing = filter->GetStatistics().missingComponents;
+  const PointLocator points(GetMesh(filter.GetPointer()).points);
+  for (std::uint32_t i = 0; i < filter->GetComponents().size(); ++i)
+  {
+    const bool isMissing = std::find(missing.begin(), missing.end(), i) != missing.end();
+    EXPECT_EQ(points.FindDistance(filter->GetComponents()[i].firstVoxel) > 2.0, isMissing) << "component " << i;
+  }
+  EXPECT_GT(missing.size(), 0u);
+  EXPECT_LE(missing.size(), numberOfSingles);
+}
+
 TEST(DelaunayRefinementMeshFilterComponents, VoxelsThatShareAnEdgeAreOne)
 {
   const auto atEdge = MakeVoxels(5, { { 1, 1, 1 }, { 2, 2, 1 } });

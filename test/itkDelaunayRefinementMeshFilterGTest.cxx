@@ -22,6 +22,7 @@
 
 #include "itkBinaryThresholdImageFilter.h"
 #include "itkCommand.h"
+#include "itkTetrahedronCell.h"
 
 #include <fstream>
 #include <functional>
@@ -354,6 +355,39 @@ TEST(DelaunayRefinementMeshFilter, OutputsOutliveTheFilter)
     used.insert(triangle.begin(), triangle.end());
   }
   EXPECT_EQ(used.size(), boundary->GetNumberOfPoints());
+}
+
+TEST(DelaunayRefinementMeshFilter, CellsMayBeSharedReplacedAndAdded)
+{
+  // Memory checkers tell whether each cell is deleted once.
+  auto       mesh = FloatMeshType::New();
+  const auto image = MakeBall();
+  const auto setCell = [&mesh](itk::IdentifierType number) {
+    FloatMeshType::CellAutoPointer cell;
+    cell.TakeOwnership(new itk::TetrahedronCell<FloatMeshType::CellType>);
+    for (int i = 0; i < 4; ++i)
+    {
+      cell->SetPointId(i, static_cast<itk::IdentifierType>(i));
+    }
+    mesh->SetCell(number, cell);
+  };
+  const auto filter = MakeFilter(image.GetPointer(), 3.0);
+  filter->Update();
+  const auto numberOfCells = filter->GetOutput()->GetNumberOfCells();
+  mesh->SetPoints(filter->GetOutput()->GetPoints());
+  mesh->SetCells(filter->GetOutput()->GetCells());
+  filter->SetDelta(4.0);
+  filter->Update();
+  EXPECT_EQ(mesh->GetNumberOfCells(), numberOfCells);
+  EXPECT_LT(filter->GetOutput()->GetNumberOfCells(), numberOfCells);
+
+  setCell(numberOfCells);
+  EXPECT_EQ(mesh->GetNumberOfCells(), numberOfCells + 1);
+  delete mesh->GetCells()->GetElement(0);
+  setCell(0);
+  FloatMeshType::CellAutoPointer first;
+  ASSERT_TRUE(mesh->GetCell(0, first));
+  EXPECT_EQ(first->PointIdsBegin()[3], 3u);
 }
 
 TEST(DelaunayRefinementMeshFilter, TimesAndStatisticsAreThoseOfTheLastRun)
