@@ -34,8 +34,8 @@ constexpr std::size_t CacheLine = 64;
 #ifdef ITK_DELAUNAY_REFINEMENT_HAS_HUGE_PAGES
 constexpr std::size_t HugePage = std::size_t{ 1 } << 21;
 
-/** Shorter arrays would leave too much of a huge page empty. */
-constexpr std::size_t LeastForHugePages = HugePage / 4;
+/** Shorter arrays would leave much of a huge page empty, and caches of addresses hold most of theirs anyway. */
+constexpr std::size_t LeastForHugePages = 2 * HugePage;
 
 std::size_t
 RoundToHugePages(std::size_t numberOfBytes)
