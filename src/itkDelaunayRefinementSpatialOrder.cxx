@@ -25,7 +25,7 @@ namespace itk
 {
 namespace
 {
-/** Points that come first of all. */
+/** Points of the first round that are not chosen at random. */
 constexpr std::size_t NumberOfFirst = 8;
 
 /** A round has three times as many points as all before it. */

@@ -29,7 +29,7 @@ class DelaunayRefinementThreads;
  * \brief An order in which points are quickly inserted into a triangulation.
  *
  * Random rounds, each some times as long as the one before it, and within a round along Hilbert's curve. The first few
- * points come first of all. Always the same for the same points.
+ * points are in the first round. Always the same for the same points.
  *
  * \ingroup DelaunayRefinement
  */
