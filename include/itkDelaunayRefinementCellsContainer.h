@@ -49,7 +49,9 @@ public:
   /** Standard class type aliases. */
   using ConstPointer = SmartPointer<const Self>;
 
+  /** Standard New method. */
   itkNewMacro(Self);
+  /** Standard part of all ITK objects. */
   itkTypeMacro(DelaunayRefinementCellsContainer, VectorContainer);
 
   /** Makes room for cells of a type, all of them null so far. Once, while the container is empty. Throws std::bad_alloc
