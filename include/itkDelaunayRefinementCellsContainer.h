@@ -81,7 +81,7 @@ protected:
   ~DelaunayRefinementCellsContainer() override = default;
 
 private:
-  /** Its memory stays where it is when it is deleted. */
+  // Its memory stays where it is when it is deleted.
   template <typename TCell>
   class CellInPlaceType final : public TCell
   {

@@ -28,8 +28,10 @@ using PointType = DelaunayRefinementPoint;
 using BoundsType = DelaunayRefinementOracle::BoundsType;
 using IndexType = DelaunayRefinementComplex::IndexType;
 
-/** Components that are sought, as the bits of words. Most points are far from most components: slabs of space along
- * each axis tell which may be near. */
+/** \class MissingComponents
+ * \brief Components that are sought, as the bits of words.
+ *
+ * Most points are far from most components: slabs of space along each axis tell which may be near. */
 class MissingComponents
 {
 public:
