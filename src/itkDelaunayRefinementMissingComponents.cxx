@@ -40,6 +40,7 @@ public:
     , m_Bounds(oracle.GetSurfaceBounds())
     , m_Missing((oracle.GetNumberOfComponents() + BitsPerWord - 1) / BitsPerWord)
     , m_Near(m_Missing.size())
+    , m_NumberMissing(oracle.GetNumberOfComponents())
   {
     for (unsigned int axis = 0; axis < 3; ++axis)
     {
@@ -64,6 +65,12 @@ public:
     }
   }
 
+  bool
+  IsAnyMissing() const
+  {
+    return m_NumberMissing.load(std::memory_order_relaxed) > 0;
+  }
+
   /** A point inside is in a tetrahedron of the mesh. */
   void
   Visit(const PointType & point)
@@ -78,8 +85,11 @@ public:
            m_Missing[word].load(std::memory_order_relaxed)) != 0)
       {
         const std::uint32_t component = m_Oracle.FindComponent(point);
-        m_Missing[component / BitsPerWord].fetch_and(~(std::uint64_t{ 1 } << component % BitsPerWord),
-                                                     std::memory_order_relaxed);
+        const std::uint64_t bit = std::uint64_t{ 1 } << component % BitsPerWord;
+        if ((m_Missing[component / BitsPerWord].fetch_and(~bit, std::memory_order_relaxed) & bit) != 0)
+        {
+          m_NumberMissing.fetch_sub(1, std::memory_order_relaxed);
+        }
         return;
       }
     }
@@ -115,6 +125,7 @@ private:
   PointType                                                            m_SlabsPerLength{};
   std::vector<std::atomic<std::uint64_t>>                              m_Missing;
   std::vector<std::array<std::array<std::uint64_t, NumberOfSlabs>, 3>> m_Near;
+  std::atomic<std::size_t>                                             m_NumberMissing;
 };
 } // namespace
 
@@ -127,7 +138,7 @@ FindMissingDelaunayRefinementComponents(const DelaunayRefinementOracle &  oracle
   MissingComponents     missing(oracle);
   constexpr std::size_t cellsPerPiece = 16384;
   const auto            visitPiece = [&](std::size_t, std::size_t begin, std::size_t end) {
-    for (auto cell = static_cast<IndexType>(begin); cell < end; ++cell)
+    for (auto cell = static_cast<IndexType>(begin); cell < end && missing.IsAnyMissing(); ++cell)
     {
       if (triangulation.IsAlive(cell) && complex.GetRegion(cell) != 0)
       {

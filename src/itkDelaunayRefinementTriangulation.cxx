@@ -166,25 +166,7 @@ DelaunayRefinementTriangulation::Take(StarType & star)
     m_Points.push_back(star.point);
     m_CellOfVertex.push_back(None);
   }
-  const std::size_t size = star.boundary.size();
-  star.cells.resize(size);
-  for (std::size_t i = 0; i < size; ++i)
-  {
-    // Most of them take the places of cells that are gone.
-    if (i < star.cavity.size())
-    {
-      star.cells[i] = star.cavity[i];
-      m_Generations[star.cells[i]] += 2;
-    }
-    else
-    {
-      star.cells[i] = this->TakeCell();
-    }
-  }
-  for (std::size_t i = size; i < star.cavity.size(); ++i)
-  {
-    this->ReleaseCell(star.cavity[i]);
-  }
+  this->TakeCells(star, [this] { return this->TakeCell(); }, m_FreeCells);
 }
 
 void

@@ -244,7 +244,8 @@ private:
 
   class PartType;
 
-  /** FindStar() with what a domain lets it see and change; false also if that is not enough. */
+  /** FindStar() with what a domain lets it see and change; false also if that is not enough. The cavity begins with a
+   * cell near the point even then. */
   template <typename TDomain>
   bool
   FindStarIn(const TDomain & domain, const PointType & point, IndexType hint, StarType & star, ScratchType & scratch)
@@ -291,6 +292,11 @@ private:
   /** Takes cells for a star, and a vertex if it has none. */
   void
   Take(StarType & star);
+
+  /** Takes those of a star's cavity first, then what \c takeCell gives; those too many go to \c freeCells. */
+  template <typename TTakeCell, typename TFreeCells>
+  void
+  TakeCells(StarType & star, const TTakeCell & takeCell, TFreeCells & freeCells);
 
   void
   LinkStar(StarType & star, ScratchType & scratch);

@@ -436,32 +436,17 @@ DelaunayRefinementTriangulation::BulkType::InsertShare(ShareType & share, unsign
 bool
 DelaunayRefinementTriangulation::BulkType::Take(ShareType & share) const
 {
-  StarType &        star = share.star;
-  const std::size_t size = star.boundary.size();
-  if (size > star.cavity.size() + share.freeCells.size())
+  if (share.star.boundary.size() > share.star.cavity.size() + share.freeCells.size())
   {
     return false;
   }
-  star.cells.resize(size);
-  for (std::size_t i = 0; i < size; ++i)
-  {
-    if (i < star.cavity.size())
-    {
-      star.cells[i] = star.cavity[i];
-      m_Owner.m_Generations[star.cells[i]] += 2;
-    }
-    else
-    {
-      star.cells[i] = share.freeCells.back();
-      share.freeCells.pop_back();
-      ++m_Owner.m_Generations[star.cells[i]];
-    }
-  }
-  for (std::size_t i = size; i < star.cavity.size(); ++i)
-  {
-    ++m_Owner.m_Generations[star.cavity[i]];
-    share.freeCells.push_back(star.cavity[i]);
-  }
+  const auto takeCell = [&] {
+    const IndexType cell = share.freeCells.back();
+    share.freeCells.pop_back();
+    ++m_Owner.m_Generations[cell];
+    return cell;
+  };
+  m_Owner.TakeCells(share.star, takeCell, share.freeCells);
   return true;
 }
 

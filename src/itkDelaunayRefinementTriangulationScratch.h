@@ -68,6 +68,32 @@ public:
   std::vector<SharedEdgeType>               sharedEdges{};
 };
 
+template <typename TTakeCell, typename TFreeCells>
+void
+DelaunayRefinementTriangulation::TakeCells(StarType & star, const TTakeCell & takeCell, TFreeCells & freeCells)
+{
+  const std::size_t size = star.boundary.size();
+  star.cells.resize(size);
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    // Most of them take the places of cells that are gone.
+    if (i < star.cavity.size())
+    {
+      star.cells[i] = star.cavity[i];
+      m_Generations[star.cells[i]] += 2;
+    }
+    else
+    {
+      star.cells[i] = takeCell();
+    }
+  }
+  for (std::size_t i = size; i < star.cavity.size(); ++i)
+  {
+    ++m_Generations[star.cavity[i]];
+    freeCells.push_back(star.cavity[i]);
+  }
+}
+
 inline void
 DelaunayRefinementTriangulation::AddBoundary(IndexType cell, unsigned int slot, StarType & star) const
 {
