@@ -23,7 +23,7 @@
 namespace itk
 {
 /** \class DelaunayRefinementComponent
- * \brief An 18-connected component of the object's voxels.
+ * \brief An 18-connected component of the object's voxels, or of those of one of its regions.
  *
  * \ingroup DelaunayRefinement
  */
@@ -31,6 +31,9 @@ struct DelaunayRefinementComponent
 {
   /** Number of voxels. */
   std::size_t numberOfVoxels{ 0 };
+
+  /** The region that it is a part of. */
+  DelaunayRefinementRegion region{ 1 };
 
   /** Volume of its voxels, in physical units (mm^3). */
   double volume{ 0.0 };

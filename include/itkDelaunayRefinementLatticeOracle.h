@@ -20,6 +20,7 @@
 
 #include "itkDelaunayRefinementComponent.h"
 #include "itkDelaunayRefinementOracle.h"
+#include "itkDelaunayRefinementRegionChanges.h"
 #include "itkDelaunayRefinementVoxelComponents.h"
 #include "itkDelaunayRefinementVoxelMask.h"
 
@@ -39,6 +40,10 @@ class DelaunayRefinementBricks;
  * - NEAREST: the faces of the voxels;
  * - FIELD: the zero level of any function, that a derived class evaluates; details smaller than a quarter of a voxel
  *   may be missed, and closest points are as exact as that.
+ * Voxels may belong to several regions. The surface is where the region changes then: where the interpolation of the
+ * mask is at least one half, the region with the largest interpolated indicator has a point, of equals the one with the
+ * smallest number.
+ *
  * Beyond the outermost voxels values are mirrored about the level where they are inside, so that the object is closed
  * half a voxel beyond its outermost voxels' centers.
  *
@@ -105,6 +110,9 @@ public:
   ComponentType
   FindComponent(const PointType & point) const override;
 
+  std::vector<ComponentType>
+  FindComponentsAt(const PointType & point) const override;
+
   BoundsType
   GetComponentBounds(ComponentType component) const override;
 
@@ -153,19 +161,25 @@ protected:
   /** Nothing can be asked before Initialize(). */
   DelaunayRefinementLatticeOracle();
 
-  /** Takes the mask, its components and the frame, and sets up the search for the surface. Threads, if there are any,
-   * share the work here and in what describes the object as a whole; they must outlive the oracle. */
+  /** Takes the mask, its components and the frame, and sets up the search for the surface. With \c changes the object
+   * has regions, which GetVoxelRegion() tells; models are INDICATOR or NEAREST then. Threads, if there are any, share
+   * the work here and in what describes the object as a whole; they must outlive the oracle. */
   void
-  Initialize(ModelEnum                         model,
-             const FrameType &                 frame,
-             DelaunayRefinementVoxelMask       mask,
-             DelaunayRefinementVoxelComponents components,
-             DelaunayRefinementThreads *       threads = nullptr);
+  Initialize(ModelEnum                                        model,
+             const FrameType &                                frame,
+             DelaunayRefinementVoxelMask                      mask,
+             DelaunayRefinementVoxelComponents                components,
+             DelaunayRefinementThreads *                      threads = nullptr,
+             std::unique_ptr<DelaunayRefinementRegionChanges> changes = nullptr);
 
   /** GREY: the value of a voxel minus the level; its sign need not agree with the mask, which prevails. May be called
    * on several threads at once. */
   virtual double
   GetVoxelValue(std::int32_t x, std::int32_t y, std::int32_t z) const;
+
+  /** Regions: that of a voxel that the mask has. May be called on several threads at once. */
+  virtual RegionType
+  GetVoxelRegion(std::int32_t x, std::int32_t y, std::int32_t z) const;
 
   /** FIELD: whether a point is inside, given in voxels from the first voxel's center. May be called on several threads
    * at once. */
@@ -220,8 +234,21 @@ private:
                     const PointType & direction,
                     double            begin,
                     double            end,
-                    bool              isInside,
+                    RegionType        region,
                     double &          share) const;
+
+  /** The regions of a cell's corners. */
+  std::array<RegionType, 8>
+  GetCellRegions(const IndexType & cell) const;
+
+  /** The entry of the indicator's tables that describes a cell with surface; 0 if there is none, as for other models
+   * and for more than two regions. */
+  unsigned int
+  GetIndicatorConfiguration(const IndexType & cell) const;
+
+  /** The region that has all corners of a cell without surface. */
+  RegionType
+  GetUniformRegion(const IndexType & cell) const;
 
   /** INDICATOR: of a cell and of its eight octants, which of them may hold surface and within which boxes. */
   struct CellShapesType
@@ -285,6 +312,7 @@ private:
   ClimbToInscribedRadius(const IndexType & voxel, double enough) const;
 
   ModelEnum                                          m_Model{ ModelEnum::INDICATOR };
+  bool                                               m_HasRegions{ false };
   FrameType                                          m_Frame{};
   PointType                                          m_LatticeOrigin{};
   std::array<PointType, 3>                           m_InverseRows{};
@@ -293,6 +321,7 @@ private:
   std::vector<CellShapesType>                        m_CellShapes{};
   std::array<std::array<float, 3>, 8>                m_CornerOffsets{};
   std::unique_ptr<DelaunayRefinementVoxelMask>       m_Mask;
+  std::unique_ptr<DelaunayRefinementRegionChanges>   m_Changes;
   std::unique_ptr<DelaunayRefinementVoxelComponents> m_Components;
   std::unique_ptr<DelaunayRefinementBricks>          m_Bricks;
   DelaunayRefinementThreads *                        m_Threads{ nullptr };

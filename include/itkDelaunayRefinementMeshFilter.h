@@ -33,18 +33,20 @@ namespace itk
  * \brief Turns a segmented 3D image into a tetrahedral mesh with guaranteed quality: image to mesh.
  *
  * The first output is a mesh of tetrahedra in the image's physical space (spacing, origin and direction apply), each
- * with the value of its label as cell data; the second output holds the triangles of its boundary, counterclockwise
- * as seen from outside. All tetrahedra are positively oriented and have a radius-edge ratio below
- * RadiusEdgeRatioBound; all planar angles of boundary triangles are above 30 degrees.
+ * with the value of its label as cell data; the second output holds the triangles of its boundary and of the interfaces
+ * between labels. All tetrahedra are positively oriented and have a radius-edge ratio below RadiusEdgeRatioBound; all
+ * planar angles of boundary and interface triangles are above 30 degrees.
  *
  * \par The object
  * One of three definitions:
- * - labels (integer pixel types, the default): voxels with one of the \c Labels, or any value but 0;
+ * - labels (integer pixel types, the default): voxels with one of the \c Labels, or any value but 0; several labels
+ *   are tissues of one mesh that share their interfaces' triangles, or one object with \c MergeLabels;
  * - a threshold: voxels between \c LowerThreshold and \c UpperThreshold, both included;
  * - an iso value: all points where the interpolated grey value is at or above \c IsoValue.
  * For the first two the interpolator runs over the indicator of the object (1 inside, 0 outside) and the surface is its
- * half level. Beyond the image is outside, so an object that touches the image's border is closed there, half a voxel
- * beyond the centers of its outermost voxels.
+ * half level. Between labels the surface is where the one with the largest interpolated indicator changes; of equals
+ * the smallest value counts. A tetrahedron has the label of its circumcenter. Beyond the image is outside, so an object
+ * that touches the image's border is closed there, half a voxel beyond the centers of its outermost voxels.
  *
  * \par Parameters
  * Delta (mm) is the sampling density of the surface: no surface point is farther than Delta from a vertex on the
@@ -56,8 +58,9 @@ namespace itk
  *
  * \par Errors
  * An ExceptionObject says what to change: no object, NaN in the image, a singular direction, labels that are not in
- * the image, several labels without a choice, parameters that contradict each other or are out of range, a mesh that
- * would not fit into memory, MaximumNumberOfVertices reached. An abort ends in ProcessAborted.
+ * the image, several labels with an interpolator of another kind than linear and nearest neighbor, parameters that
+ * contradict each other or are out of range, a mesh that would not fit into memory, MaximumNumberOfVertices reached,
+ * and with \c Strict a label or a component that is missing in the mesh. An abort ends in ProcessAborted.
  *
  * \par References
  * P. Foteinos, A. Chernikov, N. Chrisochoides, "Guaranteed Quality Tetrahedral Delaunay Meshing for Medical Images",
@@ -94,6 +97,9 @@ public:
   /** The type of both outputs; its cell data hold the labels. */
   using OutputMeshType = TOutputMesh;
 
+  /** Labels of cells. */
+  using CellDataType = typename TOutputMesh::CellDataContainer;
+
   /** What may stand between the pixels. */
   using InterpolatorType = InterpolateImageFunction<TInputImage, double>;
 
@@ -103,10 +109,19 @@ public:
   /** Dimension of the image; Update() throws if it is not 3. */
   static constexpr unsigned int ImageDimension = TInputImage::ImageDimension;
 
-  /** The triangles of the mesh's boundary, in physical space, counterclockwise as seen from outside, with the label
-   * inside as cell data. Empty before the first Update(). */
+  /** The triangles of the mesh's boundary and of the interfaces between labels, in physical space. Each has as cell
+   * data the larger one of the two labels that it parts, and is counterclockwise as seen from the other one, which is 0
+   * for outside. Empty before the first Update(). */
   OutputMeshType *
   GetBoundaryOutput();
+
+  /** For each triangle of GetBoundaryOutput() the smaller one of the two labels that it parts; 0 is outside. Empty
+   * before the first Update(). */
+  const CellDataType *
+  GetBoundaryOtherLabels() const
+  {
+    return m_BoundaryOtherLabels;
+  }
 
   /** Sampling density of the surface, the paper's delta (section III), in physical units (mm): no point of the surface
    * is farther from a vertex on the surface. Positive and finite, else Update() throws. Unset, the default, it is
@@ -180,8 +195,7 @@ public:
   /** @ITKEndGrouping */
 
   /** Defines the object by labels, pixel values above 0; all others are outside. Empty, the default: every value but 0.
-   * Update() throws if there is no pixel of a label, if there are several labels without MergeLabels, or if another
-   * definition is set. */
+   * Update() throws if there is no pixel of a label, or if another definition is set. */
   /** @ITKStartGrouping */
   void
   SetLabels(const LabelsType & labels);
@@ -192,26 +206,35 @@ public:
   void
   UnsetObjectDefinition();
 
-  /** Several labels are meshed as one object, whose label is 1. Default off: several labels are an error. */
+  /** Several labels are meshed as one object, whose label is 1. Default off: they are tissues of one mesh. */
   /** @ITKStartGrouping */
   itkSetMacro(MergeLabels, bool);
   itkGetConstMacro(MergeLabels, bool);
   itkBooleanMacro(MergeLabels);
   /** @ITKEndGrouping */
 
-  /** Only the 18-connected component of the object with the most voxels is meshed. Default off. */
+  /** Only the 18-connected component of the object, labels merged, with the most voxels is meshed. Default off. */
   /** @ITKStartGrouping */
   itkSetMacro(LargestComponentOnly, bool);
   itkGetConstMacro(LargestComponentOnly, bool);
   itkBooleanMacro(LargestComponentOnly);
   /** @ITKEndGrouping */
 
-  /** 18-connected components with fewer voxels are left out; Update() throws if that leaves none. Default 1: none is
-   * left out. Components of fewer than 8 voxels are also left out, and named in the warnings, where Delta is more
-   * than 1.4 times the smallest spacing, unless the object has no other. */
+  /** 18-connected components of the object, labels merged, with fewer voxels are left out; Update() throws if that
+   * leaves none. Default 1: none is left out. Components of fewer than 8 voxels are also left out, and named in the
+   * warnings, where Delta is more than 1.4 times the smallest spacing, unless the object has no other; those of several
+   * labels may be missing then, and are named. */
   /** @ITKStartGrouping */
   itkSetMacro(MinimumComponentSize, SizeValueType);
   itkGetConstMacro(MinimumComponentSize, SizeValueType);
+  /** @ITKEndGrouping */
+
+  /** Update() throws if a label or a component of the image is missing in the mesh. Default off: they are named in the
+   * warnings. */
+  /** @ITKStartGrouping */
+  itkSetMacro(Strict, bool);
+  itkGetConstMacro(Strict, bool);
+  itkBooleanMacro(Strict);
   /** @ITKEndGrouping */
 
   /** The interpolator of the indicator or of the grey values, part of the paper's function f (section II). Default:
@@ -229,8 +252,15 @@ public:
   /** Counts and times of the last run, also of one that failed. */
   itkGetConstReferenceMacro(Statistics, DelaunayRefinementStatistics);
 
-  /** The components of the object in the last run, in the order of their first voxels. */
+  /** The components of the object in the last run, each of one label, in the order of their first voxels. Their regions
+   * count the labels from 1. */
   itkGetConstReferenceMacro(Components, std::vector<DelaunayRefinementComponent>);
+
+  /** The labels of the object in the last run, ascending: those of regions 1, 2, ... */
+  itkGetConstReferenceMacro(RegionLabels, LabelsType);
+
+  /** The labels of the image, of those that were to be meshed, that no tetrahedron has in the last run, ascending. */
+  itkGetConstReferenceMacro(MissingLabels, LabelsType);
 
   /** What the user should know of the last run, a sentence each: components that are missing in the mesh, components
    * for which delta was lowered. */
@@ -265,8 +295,8 @@ protected:
 private:
   using ObjectType = DelaunayRefinementObject<InputPixelType>;
 
-  /** Looks at the pixels and says what the object is; returns the label of its tetrahedra. */
-  InputPixelType
+  /** Looks at the pixels and says what the object is; returns the labels of its regions. */
+  LabelsType
   ChooseObject(const InputImageType * image, DelaunayRefinementThreads & threads, ObjectType & object) const;
 
   static std::string
@@ -307,12 +337,31 @@ private:
   void
   ThrowIfAborted() const;
 
+  /** A label as the mesh's cell data hold it. */
+  static typename OutputMeshType::CellPixelType
+  ToCellData(InputPixelType label);
+
+  void
+  VerifyLabels() const;
+
+  void
+  FindMissingLabels(const DelaunayRefinementResult & result);
+
+  std::string
+  DescribeComponent(const DelaunayRefinementComponent & component) const;
+
+  void
+  WarnOfLabels();
+
   void
   WarnOfComponents();
 
+  void
+  ThrowIfStrict() const;
+
   /** Leaves both outputs empty if it throws. */
   void
-  CopyResult(const DelaunayRefinementResult & result, InputPixelType label, DelaunayRefinementThreads & threads);
+  CopyResult(const DelaunayRefinementResult & result, DelaunayRefinementThreads & threads);
 
   /** Those that have a number. */
   template <typename TNumbering>
@@ -323,10 +372,11 @@ private:
              DelaunayRefinementThreads &                              threads,
              OutputMeshType *                                         to);
 
-  template <typename TCell, typename TCellPoints, typename TNumbering>
+  /** \c regionOf gives each cell's region. */
+  template <typename TCell, typename TCellPoints, typename TRegionOf, typename TNumbering>
   void
   CopyCells(const DelaunayRefinementArray<TCellPoints> & from,
-            InputPixelType                               label,
+            const TRegionOf &                            regionOf,
             const TNumbering &                           numberOf,
             DelaunayRefinementThreads &                  threads,
             OutputMeshType *                             to);
@@ -348,11 +398,15 @@ private:
   bool                               m_MergeLabels{ false };
   bool                               m_LargestComponentOnly{ false };
   SizeValueType                      m_MinimumComponentSize{ 1 };
+  bool                               m_Strict{ false };
   typename InterpolatorType::Pointer m_Interpolator{};
 
   double                                   m_EffectiveDelta{ 0.0 };
   DelaunayRefinementStatistics             m_Statistics{};
   std::vector<DelaunayRefinementComponent> m_Components{};
+  LabelsType                               m_RegionLabels{};
+  LabelsType                               m_MissingLabels{};
+  typename CellDataType::Pointer           m_BoundaryOtherLabels{ CellDataType::New() };
   std::vector<std::string>                 m_Warnings{};
   double                                   m_PreparationSeconds{ 0.0 };
   double                                   m_CopySeconds{ 0.0 };

@@ -148,6 +148,9 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::GenerateData()
 {
   m_Statistics = DelaunayRefinementStatistics();
   m_Components.clear();
+  m_RegionLabels.clear();
+  m_MissingLabels.clear();
+  m_BoundaryOtherLabels = CellDataType::New();
   m_Warnings.clear();
   m_EffectiveDelta = 0.0;
   m_PreparationSeconds = 0.0;
@@ -165,7 +168,8 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::GenerateData()
     this->VerifyGeometry(image);
     DelaunayRefinementThreads threads(this->ComputeNumberOfThreads());
     ObjectType                object;
-    const InputPixelType      label = this->ChooseObject(image, threads, object);
+    m_RegionLabels = this->ChooseObject(image, threads, object);
+    this->VerifyLabels();
     this->ThrowIfAborted();
 
     ImageDelaunayRefinementOracle<InputImageType> oracle(image, object, m_Interpolator, &threads);
@@ -189,10 +193,13 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::GenerateData()
     {
       itkExceptionMacro("No tetrahedron has its center in the object, which is too thin for the image's spacing");
     }
+    this->FindMissingLabels(result);
+    this->WarnOfLabels();
     this->WarnOfComponents();
+    this->ThrowIfStrict();
 
     const auto copyStart = Clock::now();
-    this->CopyResult(result, label, threads);
+    this->CopyResult(result, threads);
     // What was asked for is there: else every Update() would run again.
     this->GetOutput()->SetBufferedRegion(this->GetOutput()->GetRequestedRegion());
     this->GetBoundaryOutput()->SetBufferedRegion(this->GetBoundaryOutput()->GetRequestedRegion());
@@ -213,7 +220,8 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::LeaveOutNegligibleCompon
     if (oracle.HasVolume(m_Components[i]))
     {
       withVolume.push_back(i);
-      if (!oracle.IsNegligible(m_Components[i], m_EffectiveDelta))
+      // Small ones of several labels may have others around them, and leave no hole there.
+      if (m_RegionLabels.size() > 1 || !oracle.IsNegligible(m_Components[i], m_EffectiveDelta))
       {
         kept.push_back(i);
       }
@@ -306,7 +314,11 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::MakeParameters(const Del
   };
   for (const std::uint32_t component : kept)
   {
-    parameters.componentDelta.push_back(oracle.ComputeComponentDelta(m_Components[component], m_EffectiveDelta));
+    const bool isDispensable = oracle.IsNegligible(m_Components[component], m_EffectiveDelta);
+    parameters.isDispensable.push_back(isDispensable);
+    parameters.componentDelta.push_back(isDispensable && m_RegionLabels.size() > 1
+                                          ? m_EffectiveDelta
+                                          : oracle.ComputeComponentDelta(m_Components[component], m_EffectiveDelta));
   }
   // No component needs more; a box that is far too large for the object would cost precision.
   parameters.delta = *std::max_element(parameters.componentDelta.begin(), parameters.componentDelta.end());
@@ -316,7 +328,6 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::MakeParameters(const Del
 template <typename TInputImage, typename TOutputMesh>
 void
 DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::CopyResult(const DelaunayRefinementResult & result,
-                                                                   InputPixelType                   label,
                                                                    DelaunayRefinementThreads &      threads)
 {
   try
@@ -324,7 +335,11 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::CopyResult(const Delauna
     CopyPoints(
       result.points, result.points.size(), [](std::uint32_t point) { return point; }, threads, this->GetOutput());
     this->CopyCells<TetrahedronCell<typename OutputMeshType::CellType>>(
-      result.tetrahedra, label, [](std::uint32_t point) { return point; }, threads, this->GetOutput());
+      result.tetrahedra,
+      [&result](std::size_t cell) { return result.regions[cell]; },
+      [](std::uint32_t point) { return point; },
+      threads,
+      this->GetOutput());
 
     // The boundary's own points, numbered as they come.
     const DelaunayRefinementFirstUses uses(
@@ -332,7 +347,18 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::CopyResult(const Delauna
     const auto numberOf = [&uses](std::uint32_t point) { return uses.GetNumber(point); };
     CopyPoints(result.points, uses.GetNumberOfUsed(), numberOf, threads, this->GetBoundaryOutput());
     this->CopyCells<TriangleCell<typename OutputMeshType::CellType>>(
-      result.boundaryTriangles, label, numberOf, threads, this->GetBoundaryOutput());
+      result.boundaryTriangles,
+      [&result](std::size_t cell) { return result.boundaryRegions[cell][0]; },
+      numberOf,
+      threads,
+      this->GetBoundaryOutput());
+    m_BoundaryOtherLabels->Reserve(static_cast<IdentifierType>(result.boundaryRegions.size()));
+    std::transform(result.boundaryRegions.begin(),
+                   result.boundaryRegions.end(),
+                   m_BoundaryOtherLabels->CastToSTLContainer().begin(),
+                   [this](const std::array<std::uint32_t, 2> & regions) {
+                     return ToCellData(regions[1] == 0 ? InputPixelType{ 0 } : m_RegionLabels[regions[1] - 1]);
+                   });
   }
   catch (...)
   {
@@ -375,21 +401,14 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::CopyPoints(
 }
 
 template <typename TInputImage, typename TOutputMesh>
-template <typename TCell, typename TCellPoints, typename TNumbering>
+template <typename TCell, typename TCellPoints, typename TRegionOf, typename TNumbering>
 void
 DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::CopyCells(const DelaunayRefinementArray<TCellPoints> & from,
-                                                                  InputPixelType                               label,
+                                                                  const TRegionOf &                            regionOf,
                                                                   const TNumbering &                           numberOf,
                                                                   DelaunayRefinementThreads &                  threads,
                                                                   OutputMeshType *                             to)
 {
-  const auto value = static_cast<typename OutputMeshType::CellPixelType>(label);
-  if (static_cast<InputPixelType>(value) != label)
-  {
-    itkExceptionMacro("The mesh's type of cell data can't hold the label "
-                      << static_cast<typename NumericTraits<InputPixelType>::PrintType>(label)
-                      << "; use a mesh with larger integers for cell data");
-  }
   // The mesh owns the cells, null or not, from the start: nothing is lost or deleted twice.
   to->SetCellsAllocationMethod(MeshEnums::MeshClassCellsAllocationMethod::CellsAllocatedDynamicallyCellByCell);
   const auto cells = DelaunayRefinementCellsContainer<OutputMeshType>::New();
@@ -410,7 +429,7 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::CopyCells(const Delaunay
     for (std::size_t i = piece * length; i < end && !isAborted.load(std::memory_order_relaxed); ++i)
     {
       TCell * const cell = cells->template MakeCell<TCell>(i);
-      data[i] = value;
+      data[i] = ToCellData(m_RegionLabels[regionOf(i) - 1]);
       for (unsigned int j = 0; j < from[i].size(); ++j)
       {
         cell->SetPointId(static_cast<int>(j), static_cast<IdentifierType>(numberOf(from[i][j])));
@@ -443,19 +462,26 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::PrintSelf(std::ostream &
   os << indent << "LowerThresholdIsSet: " << onOff(m_LowerThresholdIsSet) << '\n';
   os << indent << "UpperThreshold: " << m_UpperThreshold << '\n';
   os << indent << "UpperThresholdIsSet: " << onOff(m_UpperThresholdIsSet) << '\n';
-  os << indent << "Labels:";
-  for (const InputPixelType label : m_Labels)
-  {
-    os << ' ' << static_cast<PrintType>(label);
-  }
-  os << '\n';
+  const auto printLabels = [&](const char * name, const LabelsType & labels) {
+    os << indent << name << ':';
+    for (const InputPixelType label : labels)
+    {
+      os << ' ' << static_cast<PrintType>(label);
+    }
+    os << '\n';
+  };
+  printLabels("Labels", m_Labels);
   os << indent << "MergeLabels: " << onOff(m_MergeLabels) << '\n';
   os << indent << "LargestComponentOnly: " << onOff(m_LargestComponentOnly) << '\n';
   os << indent << "MinimumComponentSize: " << m_MinimumComponentSize << '\n';
+  os << indent << "Strict: " << onOff(m_Strict) << '\n';
   itkPrintSelfObjectMacro(Interpolator);
   os << indent << "EffectiveDelta: " << m_EffectiveDelta << '\n';
   os << indent << "Statistics: " << m_Statistics << '\n';
   os << indent << "Components: " << m_Components.size() << '\n';
+  printLabels("RegionLabels", m_RegionLabels);
+  printLabels("MissingLabels", m_MissingLabels);
+  os << indent << "BoundaryOtherLabels: " << m_BoundaryOtherLabels->Size() << '\n';
   os << indent << "Warnings:\n";
   for (const std::string & warning : m_Warnings)
   {

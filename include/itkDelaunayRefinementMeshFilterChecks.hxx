@@ -100,7 +100,7 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::VerifyGeometry(const Inp
 }
 
 template <typename TInputImage, typename TOutputMesh>
-typename DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::InputPixelType
+typename DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::LabelsType
 DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::ChooseObject(const InputImageType *      image,
                                                                      DelaunayRefinementThreads & threads,
                                                                      ObjectType &                object) const
@@ -117,8 +117,8 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::ChooseObject(const Input
   {
     itkExceptionMacro("The image has pixels that are NaN (not a number); replace them by values");
   }
-  // The label of all but single labels.
-  constexpr InputPixelType merged{ 1 };
+  // The label of all but the image's own.
+  const LabelsType merged{ InputPixelType{ 1 } };
   object.minimumComponentSize = m_MinimumComponentSize;
   object.largestComponentOnly = m_LargestComponentOnly;
   if (m_IsoValueIsSet)
@@ -159,12 +159,8 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::ChooseObject(const Input
     object.labels = m_Labels;
     std::sort(object.labels.begin(), object.labels.end());
     object.labels.erase(std::unique(object.labels.begin(), object.labels.end()), object.labels.end());
-    if (object.labels.size() > 1 && !m_MergeLabels)
-    {
-      itkExceptionMacro("Labels has " << object.labels.size()
-                                      << " values; choose one, or set MergeLabels to mesh them as one object");
-    }
-    return m_MergeLabels ? merged : object.labels.front();
+    object.regionLabels = m_MergeLabels ? merged : object.labels;
+    return object.regionLabels;
   }
   object.definition = DefinitionEnum::NON_ZERO;
   if (labels.empty())
@@ -185,16 +181,8 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::ChooseObject(const Input
     itkExceptionMacro("The image has negative values, which are no labels; set LowerThreshold and UpperThreshold, or "
                       "IsoValue, or Labels");
   }
-  if (m_MergeLabels)
-  {
-    return merged;
-  }
-  if (labels.size() > 1)
-  {
-    itkExceptionMacro("The image has " << this->DescribeLabels(labels)
-                                       << "; choose one by Labels, or set MergeLabels to mesh them as one object");
-  }
-  return labels.front();
+  object.regionLabels = m_MergeLabels ? merged : labels;
+  return object.regionLabels;
 }
 
 template <typename TInputImage, typename TOutputMesh>
@@ -336,18 +324,133 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::ThrowIfAborted() const
 }
 
 template <typename TInputImage, typename TOutputMesh>
+typename TOutputMesh::CellPixelType
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::ToCellData(InputPixelType label)
+{
+  return static_cast<typename OutputMeshType::CellPixelType>(label);
+}
+
+template <typename TInputImage, typename TOutputMesh>
+void
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::VerifyLabels() const
+{
+  for (const InputPixelType label : m_RegionLabels)
+  {
+    if (static_cast<InputPixelType>(ToCellData(label)) != label)
+    {
+      itkExceptionMacro("The mesh's type of cell data can't hold the label "
+                        << static_cast<typename NumericTraits<InputPixelType>::PrintType>(label)
+                        << "; use a mesh with larger integers for cell data");
+    }
+  }
+  const std::string interpolator = m_Interpolator.IsNull() ? "" : m_Interpolator->GetNameOfClass();
+  if (m_RegionLabels.size() > 1 && !interpolator.empty() && interpolator != "LinearInterpolateImageFunction" &&
+      interpolator != "NearestNeighborInterpolateImageFunction")
+  {
+    itkExceptionMacro(
+      "Several labels are meshed with linear or nearest-neighbor interpolation; set another Interpolator "
+      "than "
+      << interpolator << ", or choose one of the labels, or set MergeLabels");
+  }
+}
+
+template <typename TInputImage, typename TOutputMesh>
+void
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::FindMissingLabels(const DelaunayRefinementResult & result)
+{
+  std::vector<bool> isThere(m_RegionLabels.size(), false);
+  for (const std::uint32_t region : result.regions)
+  {
+    isThere[region - 1] = true;
+  }
+  for (std::size_t i = 0; i < m_RegionLabels.size(); ++i)
+  {
+    if (!isThere[i])
+    {
+      m_MissingLabels.push_back(m_RegionLabels[i]);
+    }
+  }
+}
+
+template <typename TInputImage, typename TOutputMesh>
+std::string
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::DescribeComponent(
+  const DelaunayRefinementComponent & component) const
+{
+  std::ostringstream text;
+  if (m_RegionLabels.size() > 1)
+  {
+    text << "label "
+         << static_cast<typename NumericTraits<InputPixelType>::PrintType>(m_RegionLabels[component.region - 1])
+         << " with ";
+  }
+  text << component.numberOfVoxels << (component.numberOfVoxels == 1 ? " voxel" : " voxels") << " at ("
+       << component.firstVoxel[0] << ", " << component.firstVoxel[1] << ", " << component.firstVoxel[2] << ")";
+  return text.str();
+}
+
+template <typename TInputImage, typename TOutputMesh>
+void
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::WarnOfLabels()
+{
+  if (m_MissingLabels.empty())
+  {
+    return;
+  }
+  constexpr std::size_t mostShown = 10;
+  std::ostringstream    text;
+  text << m_MissingLabels.size() << " of " << m_RegionLabels.size()
+       << (m_MissingLabels.size() == 1 ? " labels is" : " labels are") << " missing in the mesh:";
+  std::size_t shown = 0;
+  for (std::size_t i = 0; i < m_RegionLabels.size() && shown < mostShown; ++i)
+  {
+    if (!std::binary_search(m_MissingLabels.begin(), m_MissingLabels.end(), m_RegionLabels[i]))
+    {
+      continue;
+    }
+    // Its first component tells the place.
+    double                              volume = 0.0;
+    const DelaunayRefinementComponent * first = nullptr;
+    for (const DelaunayRefinementComponent & component : m_Components)
+    {
+      if (component.region == i + 1)
+      {
+        volume += component.volume;
+        first = first == nullptr ? &component : first;
+      }
+    }
+    text << (shown == 0 ? " " : ", ")
+         << static_cast<typename NumericTraits<InputPixelType>::PrintType>(m_RegionLabels[i]) << " (" << volume
+         << " mm^3";
+    if (first != nullptr)
+    {
+      text << " at " << first->firstVoxel[0] << ", " << first->firstVoxel[1] << ", " << first->firstVoxel[2];
+    }
+    text << ')';
+    ++shown;
+  }
+  text << (m_MissingLabels.size() > mostShown ? ", ..." : "");
+  m_Warnings.push_back(text.str());
+}
+
+template <typename TInputImage, typename TOutputMesh>
+void
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::ThrowIfStrict() const
+{
+  if (m_Strict && !(m_MissingLabels.empty() && m_Statistics.missingComponents.empty()))
+  {
+    // What is missing is told first.
+    itkExceptionMacro("The mesh is not complete, as Strict asks for: " << m_Warnings.front()
+                                                                       << "; set a smaller Delta, or leave Strict off");
+  }
+}
+
+template <typename TInputImage, typename TOutputMesh>
 void
 DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::WarnOfComponents()
 {
   constexpr std::size_t mostShown = 10;
-  const auto            describe = [this](std::uint32_t number) {
-    const DelaunayRefinementComponent & component = m_Components[number];
-    std::ostringstream                  text;
-    text << component.numberOfVoxels << (component.numberOfVoxels == 1 ? " voxel" : " voxels") << " at ("
-         << component.firstVoxel[0] << ", " << component.firstVoxel[1] << ", " << component.firstVoxel[2] << ")";
-    return text.str();
-  };
-  const auto & missing = m_Statistics.missingComponents;
+  const auto &          missing = m_Statistics.missingComponents;
   if (!missing.empty())
   {
     std::ostringstream text;
@@ -356,7 +459,7 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::WarnOfComponents()
          << " mm and missing in the mesh:";
     for (std::size_t i = 0; i < std::min(missing.size(), mostShown); ++i)
     {
-      text << (i == 0 ? " " : ", ") << describe(missing[i]);
+      text << (i == 0 ? " " : ", ") << this->DescribeComponent(m_Components[missing[i]]);
     }
     text << (missing.size() > mostShown ? ", ..." : "");
     m_Warnings.push_back(text.str());
@@ -369,7 +472,7 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::WarnOfComponents()
     std::ostringstream text;
     text << "Delta was lowered for " << lowered.size() << " of " << m_Components.size()
          << " components that are too small for " << m_EffectiveDelta << " mm; the least is " << smallest->second
-         << " mm for " << describe(smallest->first);
+         << " mm for " << this->DescribeComponent(m_Components[smallest->first]);
     m_Warnings.push_back(text.str());
   }
 }

@@ -40,7 +40,7 @@ public:
   using PointType = DelaunayRefinementPoint;
 
   /** 0 is outside; the regions of the object are numbered from 1. */
-  using RegionType = std::uint32_t;
+  using RegionType = DelaunayRefinementRegion;
 
   /** Components are numbered from 0. */
   using ComponentType = std::uint32_t;
@@ -103,9 +103,14 @@ public:
   virtual ComponentType
   GetNumberOfComponents() const = 0;
 
-  /** The component that is nearest to a point inside or on the surface. */
+  /** The component that a point inside belongs to; the nearest one, of several any, for a point on the surface. */
   virtual ComponentType
   FindComponent(const PointType & point) const = 0;
+
+  /** The components that meet at a point of the surface, ascending; others nearby may be among them. Default:
+   * FindComponent() alone, which is enough where components don't touch. */
+  virtual std::vector<ComponentType>
+  FindComponentsAt(const PointType & point) const;
 
   /** A box that contains the component and its surface; need not be tight. Default: GetSurfaceBounds(). */
   virtual BoundsType

@@ -33,6 +33,9 @@ namespace itk
 /** A point of physical space, in the image's units (mm). */
 using DelaunayRefinementPoint = std::array<double, 3>;
 
+/** A number of a region of space: 0 is outside, the regions of the object are numbered from 1. */
+using DelaunayRefinementRegion = std::uint32_t;
+
 /** \class DelaunayRefinementParameters
  * \brief What the refinement engine is told. Lengths are in physical units (mm).
  *
@@ -46,6 +49,10 @@ struct DelaunayRefinementParameters
   /** Lower deltas for some components of the object, by the oracle's component number; empty or shorter than the
    * number of components: \c delta holds for the rest. */
   std::vector<double> componentDelta{};
+
+  /** Components that may be missing in the mesh, by the oracle's component number: delta is not lowered for their sake.
+   * Empty or shorter than the number of components: the rest may not. */
+  std::vector<bool> isDispensable{};
 
   /** Upper bound on the radius-edge ratio of tetrahedra (the paper's rho bar). At least 1. */
   double radiusEdgeRatioBound{ 2.0 };
@@ -140,11 +147,12 @@ struct DelaunayRefinementResult
   /** The oracle's region of each tetrahedron's circumcenter, never 0. */
   DelaunayRefinementArray<std::uint32_t> regions{};
 
-  /** Faces of exactly one tetrahedron, counterclockwise as seen from outside. */
+  /** Faces between two regions, or between one and outside, counterclockwise as seen from the one with the smaller
+   * number; outside is 0. */
   DelaunayRefinementArray<std::array<std::uint32_t, 3>> boundaryTriangles{};
 
-  /** The region inside each boundary triangle. */
-  DelaunayRefinementArray<std::uint32_t> boundaryRegions{};
+  /** The regions that each of them parts: the larger number, and the smaller one. */
+  DelaunayRefinementArray<std::array<std::uint32_t, 2>> boundaryRegions{};
 };
 } // end namespace itk
 

@@ -18,16 +18,18 @@
 #ifndef itkDelaunayRefinementVoxelComponents_h
 #define itkDelaunayRefinementVoxelComponents_h
 
+#include "itkDelaunayRefinementRegionChanges.h"
 #include "itkDelaunayRefinementThreads.h"
 #include "itkDelaunayRefinementVoxelMask.h"
 
+#include <functional>
 #include <vector>
 
 namespace itk
 {
 /** \class DelaunayRefinementVoxelComponents
  * \brief The 18-connected components of a mask's voxels: those that share a face or an edge belong together, as the
- * half level of the interpolated mask joins them.
+ * half level of the interpolated mask joins them. Where voxels have regions, those of one region do.
  *
  * Components are numbered from 0 in the order of their first voxels.
  *
@@ -63,7 +65,12 @@ public:
     IndexType minimum;
     /** Greatest index along each axis. */
     IndexType maximum;
+    /** The region of its voxels. */
+    DelaunayRefinementRegion region;
   };
+
+  /** The region of the voxel (x, y, z) of the mask. May be called on several threads at once. */
+  using RegionOfVoxelType = std::function<DelaunayRefinementRegion(std::int32_t, std::int32_t, std::int32_t)>;
 
   /** The runs of all rows. */
   using RunsType = DelaunayRefinementArray<RunType>;
@@ -71,6 +78,12 @@ public:
   /** Finds the components of a mask, on several threads if there are any. */
   explicit DelaunayRefinementVoxelComponents(const DelaunayRefinementVoxelMask & mask,
                                              DelaunayRefinementThreads *         threads = nullptr);
+
+  /** The same by regions. */
+  DelaunayRefinementVoxelComponents(const DelaunayRefinementVoxelMask &     mask,
+                                    const DelaunayRefinementRegionChanges & changes,
+                                    const RegionOfVoxelType &               regionOf,
+                                    DelaunayRefinementThreads *             threads = nullptr);
 
   /** All components, by their numbers. */
   const std::vector<ComponentInfoType> &
@@ -109,7 +122,13 @@ private:
   }
 
   void
-  FindRuns(const DelaunayRefinementVoxelMask & mask, DelaunayRefinementThreads * threads);
+  FindComponents(DelaunayRefinementThreads * threads);
+
+  /** \c changes may be null. */
+  void
+  FindRuns(const DelaunayRefinementVoxelMask &     mask,
+           const DelaunayRefinementRegionChanges * changes,
+           DelaunayRefinementThreads *             threads);
 
   // While runs are joined, the component of each is the number of one before it that it is joined to, or its own.
 
@@ -119,6 +138,10 @@ private:
   /** Joins the runs of two rows that come within \c reach voxels of each other. */
   void
   JoinRows(std::size_t row, std::size_t other, std::int32_t reach);
+
+  /** Two runs, by their numbers, if they come within \c reach voxels of each other. */
+  void
+  JoinRuns(std::size_t i, std::size_t j, std::int32_t reach);
 
   /** Joins the rows of some slices to each other. */
   void
@@ -136,8 +159,10 @@ private:
 
   DelaunayRefinementVoxelMask::SizeType m_Size;
   RunsType                              m_Runs{};
-  DelaunayRefinementArray<std::size_t>  m_FirstRuns{};
-  std::vector<ComponentInfoType>        m_Components{};
+  /** For each run; empty without regions. */
+  DelaunayRefinementArray<DelaunayRefinementRegion> m_Regions{};
+  DelaunayRefinementArray<std::size_t>              m_FirstRuns{};
+  std::vector<ComponentInfoType>                    m_Components{};
 };
 } // end namespace itk
 

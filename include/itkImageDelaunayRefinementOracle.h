@@ -18,6 +18,7 @@
 #ifndef itkImageDelaunayRefinementOracle_h
 #define itkImageDelaunayRefinementOracle_h
 
+#include "itkDelaunayRefinementLabelTable.h"
 #include "itkDelaunayRefinementLatticeOracle.h"
 #include "itkInterpolateImageFunction.h"
 
@@ -52,6 +53,10 @@ struct DelaunayRefinementObject
   /** LABELS: the labels, ascending. */
   std::vector<TPixel> labels{};
 
+  /** NON_ZERO and LABELS: if there are several, pixel values that are regions of the object, numbered from 1 in this
+   * order, ascending and positive; no other value may be inside. Else the object is one region. */
+  std::vector<TPixel> regionLabels{};
+
   /** THRESHOLD: an end of the range, which belongs to it, in pixel values. */
   /** @ITKStartGrouping */
   double lower{ -std::numeric_limits<double>::infinity() };
@@ -74,7 +79,8 @@ struct DelaunayRefinementObject
  *
  * Linear interpolation (no interpolator, or itk::LinearInterpolateImageFunction) and nearest neighbors
  * (itk::NearestNeighborInterpolateImageFunction) are computed here, with the interpolator's values; any other
- * interpolator is asked, and decides between voxels where the object's surface passes.
+ * interpolator is asked, and decides between voxels where the object's surface passes. Objects of several regions have
+ * linear interpolation or nearest neighbors.
  *
  * The image's buffer must stay as it is while the oracle is used.
  *
@@ -110,6 +116,9 @@ protected:
   double
   GetVoxelValue(std::int32_t x, std::int32_t y, std::int32_t z) const override;
 
+  RegionType
+  GetVoxelRegion(std::int32_t x, std::int32_t y, std::int32_t z) const override;
+
   bool
   IsInsideField(const PointType & position) const override;
 
@@ -129,17 +138,24 @@ private:
                DelaunayRefinementVoxelMask & mask,
                DelaunayRefinementThreads *   threads);
 
+  /** Removes the components that the user does not want from the mask. */
+  static void
+  RemoveComponents(const ObjectType &                  object,
+                   DelaunayRefinementVoxelComponents & components,
+                   DelaunayRefinementVoxelMask &       mask);
+
   /** Calls \c action with y and z of each row of voxels. */
   template <typename TAction>
   static void
   ForEachRow(const DelaunayRefinementVoxelMask & mask, DelaunayRefinementThreads * threads, const TAction & action);
 
-  const PixelType *                  m_Buffer;
-  std::array<std::size_t, 3>         m_Strides{};
-  double                             m_Level;
-  typename InterpolatorType::Pointer m_Interpolator{};
-  typename ImageType::Pointer        m_Indicator{};
-  typename ImageType::IndexType      m_Start{};
+  const PixelType *                       m_Buffer;
+  std::array<std::size_t, 3>              m_Strides{};
+  DelaunayRefinementLabelTable<PixelType> m_Regions;
+  double                                  m_Level;
+  typename InterpolatorType::Pointer      m_Interpolator{};
+  typename ImageType::Pointer             m_Indicator{};
+  typename ImageType::IndexType           m_Start{};
 };
 } // end namespace itk
 

@@ -34,6 +34,7 @@ ImageDelaunayRefinementOracle<TImage>::ImageDelaunayRefinementOracle(const Image
                                                                      InterpolatorType *          interpolator,
                                                                      DelaunayRefinementThreads * threads)
   : m_Buffer(image->GetBufferPointer())
+  , m_Regions(object.regionLabels)
   , m_Level(object.definition == ObjectType::DefinitionEnum::ISO_VALUE ? object.isoValue : 0.5)
   , m_Start(image->GetBufferedRegion().GetIndex())
 {
@@ -66,24 +67,53 @@ ImageDelaunayRefinementOracle<TImage>::ImageDelaunayRefinementOracle(const Image
     this->PrepareField(image, object, mask, threads);
   }
 
-  DelaunayRefinementVoxelComponents components(mask, threads);
-  const auto &                      infos = components.GetComponents();
-  if (!infos.empty() && (object.largestComponentOnly || object.minimumComponentSize > 1))
+  const bool isSelective = object.largestComponentOnly || object.minimumComponentSize > 1;
+  if (object.regionLabels.size() < 2)
   {
-    const auto largest = static_cast<std::size_t>(
-      std::max_element(infos.begin(),
-                       infos.end(),
-                       [](const auto & a, const auto & b) { return a.numberOfVoxels < b.numberOfVoxels; }) -
-      infos.begin());
-    std::vector<bool> isRemoved(infos.size());
-    for (std::size_t i = 0; i < infos.size(); ++i)
+    DelaunayRefinementVoxelComponents components(mask, threads);
+    if (isSelective)
     {
-      isRemoved[i] =
-        infos[i].numberOfVoxels < object.minimumComponentSize || (object.largestComponentOnly && i != largest);
+      RemoveComponents(object, components, mask);
     }
-    components.Remove(isRemoved, mask);
+    this->Initialize(model, ComputeFrame(image), std::move(mask), std::move(components), threads);
+    return;
   }
-  this->Initialize(model, ComputeFrame(image), std::move(mask), std::move(components), threads);
+  if (isSelective)
+  {
+    // Of the object as a whole.
+    DelaunayRefinementVoxelComponents components(mask, threads);
+    RemoveComponents(object, components, mask);
+  }
+  auto changes = std::make_unique<DelaunayRefinementRegionChanges>(mask.GetSize());
+  ForEachRow(mask, threads, [&](std::int32_t y, std::int32_t z) {
+    changes->SetRow(y, z, m_Buffer + y * m_Strides[1] + z * m_Strides[2], m_Strides[1], m_Strides[2]);
+  });
+  DelaunayRefinementVoxelComponents components(
+    mask,
+    *changes,
+    [this](std::int32_t x, std::int32_t y, std::int32_t z) {
+      return ImageDelaunayRefinementOracle::GetVoxelRegion(x, y, z);
+    },
+    threads);
+  this->Initialize(model, ComputeFrame(image), std::move(mask), std::move(components), threads, std::move(changes));
+}
+
+template <typename TImage>
+void
+ImageDelaunayRefinementOracle<TImage>::RemoveComponents(const ObjectType &                  object,
+                                                        DelaunayRefinementVoxelComponents & components,
+                                                        DelaunayRefinementVoxelMask &       mask)
+{
+  const auto & infos = components.GetComponents();
+  const auto   largest = std::max_element(
+    infos.begin(), infos.end(), [](const auto & a, const auto & b) { return a.numberOfVoxels < b.numberOfVoxels; });
+  std::vector<bool> isRemoved;
+  for (auto info = infos.begin(); info != infos.end(); ++info)
+  {
+    isRemoved.push_back(info->numberOfVoxels < object.minimumComponentSize ||
+                        (object.largestComponentOnly && info != largest));
+  }
+  components.Remove(isRemoved, mask);
 }
 
 template <typename TImage>
@@ -157,8 +187,8 @@ ImageDelaunayRefinementOracle<TImage>::WithPredicate(const ObjectType & object, 
       }
       else
       {
-        action([&labels = object.labels](PixelType value) {
-          return std::binary_search(labels.begin(), labels.end(), value);
+        action([table = DelaunayRefinementLabelTable<PixelType>(object.labels)](PixelType value) {
+          return table.Find(value) != 0;
         });
       }
       break;
@@ -234,6 +264,14 @@ ImageDelaunayRefinementOracle<TImage>::GetVoxelValue(std::int32_t x, std::int32_
   constexpr double largest = 1e30;
   const auto       value = static_cast<double>(m_Buffer[x + y * m_Strides[1] + z * m_Strides[2]]);
   return std::clamp(value - m_Level, -largest, largest);
+}
+
+template <typename TImage>
+auto
+ImageDelaunayRefinementOracle<TImage>::GetVoxelRegion(std::int32_t x, std::int32_t y, std::int32_t z) const
+  -> RegionType
+{
+  return m_Regions.Find(m_Buffer[x + y * m_Strides[1] + z * m_Strides[2]]);
 }
 
 template <typename TImage>

@@ -32,20 +32,29 @@ constexpr std::uint64_t Layers[3][4] = {
 };
 
 /** \class MixedRows
- * \brief The cells with voxels of both kinds in 4 x 4 rows of cells, y fastest, 64 cells along x at a time. */
+ * \brief The cells with voxels of different kinds in 4 x 4 rows of cells, y fastest, 64 cells along x at a time. */
 class MixedRows
 {
 public:
-  MixedRows(const DelaunayRefinementVoxelMask & mask, std::int32_t brickY, std::int32_t brickZ)
+  MixedRows(const DelaunayRefinementVoxelMask &     mask,
+            const DelaunayRefinementRegionChanges * changes,
+            std::int32_t                            brickY,
+            std::int32_t                            brickZ)
     : m_NumberOfWords(mask.GetWordsPerRow())
+    , m_HasRegions(changes != nullptr)
   {
     // Beyond the outer layer is more of the same.
     for (std::int32_t z = 0; z < Side; ++z)
     {
       for (std::int32_t y = 0; y < Side; ++y)
       {
-        m_Words[z][y] =
-          mask.GetRow(std::min(4 * brickY + y, mask.GetSize()[1] + 1), std::min(4 * brickZ + z, mask.GetSize()[2] + 1));
+        const std::int32_t rowY = std::min(4 * brickY + y, mask.GetSize()[1] + 1);
+        const std::int32_t rowZ = std::min(4 * brickZ + z, mask.GetSize()[2] + 1);
+        m_Words[z][y] = mask.GetRow(rowY, rowZ);
+        for (unsigned int axis = 0; axis < 3 && m_HasRegions; ++axis)
+        {
+          m_Changes[axis][z][y] = changes->GetRow(axis, rowY, rowZ);
+        }
       }
     }
     this->GoTo(0);
@@ -88,24 +97,57 @@ public:
 private:
   static constexpr std::int32_t Side = 5;
 
-  /** Of some voxels at one x: whether any is inside, whether all are. */
+  /** Of some voxels at one x: whether any is inside, whether all are, and whether regions change from those at the x
+   * before and between them. */
   struct PairType
   {
     std::uint64_t any;
     std::uint64_t all;
+    std::uint64_t changesFromLast;
+    std::uint64_t changesBetween;
   };
 
+  /** Each with the one after it; those of the last come from the next word. */
+  static std::uint64_t
+  AtNext(std::uint64_t here, std::uint64_t next)
+  {
+    return here >> 1 | next << 63;
+  }
+
+  /** The cells between a row of voxels and the next. */
   static std::uint64_t
   FindMixed(const PairType & here, const PairType & next)
   {
-    return (here.any | here.any >> 1 | next.any << 63) & ~(here.all & (here.all >> 1 | next.all << 63));
+    const std::uint64_t all = here.all & AtNext(here.all, next.all);
+    const std::uint64_t changes = here.changesBetween | AtNext(here.changesFromLast, next.changesFromLast);
+    return ((here.any | AtNext(here.any, next.any)) & ~all) | (all & changes);
+  }
+
+  /** The same of more than one cell's voxels at each x: none is left out. */
+  static std::uint64_t
+  MayBeMixed(const PairType & here, const PairType & next)
+  {
+    const std::uint64_t all = here.all & AtNext(here.all, next.all);
+    const std::uint64_t any = here.any | AtNext(here.any, next.any);
+    return any & (~all | here.changesBetween | AtNext(here.changesFromLast, next.changesFromLast));
   }
 
   /** Of all rows. */
   PairType
   Summarize(std::size_t word) const
   {
-    PairType pair{ 0, 0 };
+    PairType pair{ 0, 0, 0, 0 };
+    if (word < m_NumberOfWords && m_HasRegions)
+    {
+      for (std::int32_t z = 0; z < Side; ++z)
+      {
+        for (std::int32_t y = 0; y < Side; ++y)
+        {
+          pair.changesFromLast |= m_Changes[0][z][y][word];
+          pair.changesBetween |= m_Changes[1][z][y][word] | m_Changes[2][z][y][word];
+        }
+      }
+    }
     if (word < m_NumberOfWords)
     {
       pair.all = ~pair.all;
@@ -136,7 +178,18 @@ private:
                                           m_Words[i / 4][i % 4 + 1][word],
                                           m_Words[i / 4 + 1][i % 4][word],
                                           m_Words[i / 4 + 1][i % 4 + 1][word] };
-        combined[i] = { voxels[0] | voxels[1] | voxels[2] | voxels[3], voxels[0] & voxels[1] & voxels[2] & voxels[3] };
+        combined[i] = {
+          voxels[0] | voxels[1] | voxels[2] | voxels[3], voxels[0] & voxels[1] & voxels[2] & voxels[3], 0, 0
+        };
+        if (m_HasRegions)
+        {
+          // If all four are alike along each of these edges, they are alike.
+          const auto at = [this, word, i](unsigned int axis, unsigned int dy, unsigned int dz) {
+            return m_Changes[axis][i / 4 + dz][i % 4 + dy][word];
+          };
+          combined[i].changesFromLast = at(0, 0, 0) | at(0, 1, 0) | at(0, 0, 1) | at(0, 1, 1);
+          combined[i].changesBetween = at(1, 1, 0) | at(1, 1, 1) | at(2, 0, 1);
+        }
       }
     }
     return combined;
@@ -149,7 +202,7 @@ private:
     m_Word = word;
     m_Next = this->Summarize(word + 1);
     m_Any = 0;
-    if (FindMixed(here, m_Next) == 0)
+    if (MayBeMixed(here, m_Next) == 0)
     {
       // As most are.
       m_Mixed = {};
@@ -165,7 +218,9 @@ private:
   }
 
   std::size_t                   m_NumberOfWords;
+  bool                          m_HasRegions;
   const std::uint64_t *         m_Words[Side][Side];
+  const std::uint64_t *         m_Changes[3][Side][Side];
   std::size_t                   m_Word{ 0 };
   PairType                      m_Next{};
   std::array<std::uint64_t, 16> m_Mixed{};
@@ -201,16 +256,18 @@ DelaunayRefinementBricks::UpdateBounds()
 }
 
 void
-DelaunayRefinementBricks::Update(const DelaunayRefinementVoxelMask & mask, const std::vector<BoxType> & changes)
+DelaunayRefinementBricks::Update(const DelaunayRefinementVoxelMask &     mask,
+                                 const DelaunayRefinementRegionChanges * changes,
+                                 const std::vector<BoxType> &            boxes)
 {
-  for (const BoxType & box : changes)
+  for (const BoxType & box : boxes)
   {
     // Cell n is before voxel n, cell n + 1 after it.
     for (std::int32_t z = box.first[2] >> 2; z <= (box.last[2] + 1) >> 2; ++z)
     {
       for (std::int32_t y = box.first[1] >> 2; y <= (box.last[1] + 1) >> 2; ++y)
       {
-        MixedRows rows(mask, y, z);
+        MixedRows rows(mask, changes, y, z);
         for (std::int32_t x = box.first[0] >> 2; x <= (box.last[0] + 1) >> 2; ++x)
         {
           if (x % 16 == 0 || x == box.first[0] >> 2)
@@ -240,8 +297,9 @@ DelaunayRefinementBricks::Update(const DelaunayRefinementVoxelMask & mask, const
   this->UpdateBounds();
 }
 
-DelaunayRefinementBricks::DelaunayRefinementBricks(const DelaunayRefinementVoxelMask & mask,
-                                                   DelaunayRefinementThreads *         threads)
+DelaunayRefinementBricks::DelaunayRefinementBricks(const DelaunayRefinementVoxelMask &     mask,
+                                                   const DelaunayRefinementRegionChanges * changes,
+                                                   DelaunayRefinementThreads *             threads)
 {
   const auto & voxels = mask.GetSize();
   IndexType    size;
@@ -260,8 +318,9 @@ DelaunayRefinementBricks::DelaunayRefinementBricks(const DelaunayRefinementVoxel
   Threads::RunPieces(threads, rows, length, [&](std::size_t piece, std::size_t begin, std::size_t end) {
     for (std::size_t row = begin; row < end; ++row)
     {
-      this->FindBricks(
-        mask, static_cast<std::int32_t>(row % size[1]), static_cast<std::int32_t>(row / size[1]), parts[piece]);
+      const auto y = static_cast<std::int32_t>(row % size[1]);
+      const auto z = static_cast<std::int32_t>(row / size[1]);
+      this->FindBricks(mask, changes, y, z, parts[piece]);
     }
   });
   this->JoinParts(parts, threads);
@@ -270,14 +329,15 @@ DelaunayRefinementBricks::DelaunayRefinementBricks(const DelaunayRefinementVoxel
 }
 
 void
-DelaunayRefinementBricks::FindBricks(const DelaunayRefinementVoxelMask & mask,
-                                     std::int32_t                        brickY,
-                                     std::int32_t                        brickZ,
-                                     PartType &                          part)
+DelaunayRefinementBricks::FindBricks(const DelaunayRefinementVoxelMask &     mask,
+                                     const DelaunayRefinementRegionChanges * changes,
+                                     std::int32_t                            brickY,
+                                     std::int32_t                            brickZ,
+                                     PartType &                              part)
 {
   const std::int32_t numberOfBricks = m_Levels[0].size[0];
   std::int32_t *     numbers = m_Numbers.data() + this->ToOffset(0, { 0, brickY, brickZ });
-  MixedRows          rows(mask, brickY, brickZ);
+  MixedRows          rows(mask, changes, brickY, brickZ);
   for (std::int32_t first = 0; first < numberOfBricks; first += 16, rows.Advance())
   {
     // Bricks are nibbles of the words.

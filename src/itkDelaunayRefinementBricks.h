@@ -18,6 +18,7 @@
 #ifndef itkDelaunayRefinementBricks_h
 #define itkDelaunayRefinementBricks_h
 
+#include "itkDelaunayRefinementRegionChanges.h"
 #include "itkDelaunayRefinementThreads.h"
 #include "itkDelaunayRefinementVoxelMask.h"
 
@@ -46,13 +47,17 @@ public:
     IndexType last;
   };
 
-  /** On several threads if there are any. */
-  explicit DelaunayRefinementBricks(const DelaunayRefinementVoxelMask & mask,
-                                    DelaunayRefinementThreads *         threads = nullptr);
+  /** Cells with a change between regions hold surface, too, if \c changes is not null. On several threads if there are
+   * any. */
+  DelaunayRefinementBricks(const DelaunayRefinementVoxelMask &     mask,
+                           const DelaunayRefinementRegionChanges * changes,
+                           DelaunayRefinementThreads *             threads);
 
   /** After voxels within some boxes were made outside. Nodes above level 0 may stay active without need. */
   void
-  Update(const DelaunayRefinementVoxelMask & mask, const std::vector<BoxType> & changes);
+  Update(const DelaunayRefinementVoxelMask &     mask,
+         const DelaunayRefinementRegionChanges * changes,
+         const std::vector<BoxType> &            boxes);
 
   /** Bricks with surface, in the order of their first cells. */
   const std::vector<IndexType> &
@@ -144,7 +149,11 @@ private:
 
   /** Fills in a row of bricks. */
   void
-  FindBricks(const DelaunayRefinementVoxelMask & mask, std::int32_t brickY, std::int32_t brickZ, PartType & part);
+  FindBricks(const DelaunayRefinementVoxelMask &     mask,
+             const DelaunayRefinementRegionChanges * changes,
+             std::int32_t                            brickY,
+             std::int32_t                            brickZ,
+             PartType &                              part);
 
   /** Puts parts together, one after another. */
   void

@@ -25,12 +25,13 @@
 
 namespace itk
 {
-/** The three kinds of cells below say where the object is inside the unit cube between eight voxel centers. All offer:
- * IsInside(point), MayIntersect(corner, size) for a cube within the cell (false only if the surface misses it),
+/** The kinds of cells say which region is where in the unit cube between eight voxel centers; 0 is outside. All offer:
+ * Classify(point), MayIntersect(corner, size) for a cube within the cell (false only if the surface misses it),
  * FindOctants(corner, size) (a bit for each octant of the cube, x fastest; 0 only if the surface misses it),
- * SamplesPerSide(size) (on a grid so fine the cube is mixed if it holds surface), FindFirstChange(from, to, isInside,
- * share): the first share of the way at which the inside differs from \c isInside, and FindChangeTowardsFaces(start,
- * corner, size, found): a change on the way from a point of a cube straight to one of its faces. */
+ * SamplesPerSide(size) (on a grid so fine the cube is mixed if it holds surface), FindFirstChange(from, to, region,
+ * share): the first share of the way at which the region is not \c region, and FindChangeTowardsFaces(start, corner,
+ * size, found): a change on the way from a point of a cube straight to one of its faces. Those here have one region
+ * inside, numbered 1, but for nearest corners. */
 
 /** FindOctants() by MayIntersect(). */
 template <typename TCell>
@@ -49,7 +50,7 @@ FindOctantsOneByOne(const TCell & cell, const DelaunayRefinementPoint & corner, 
   return octants;
 }
 
-/** Finds the change between a point of a cell and another on the other side; false if that is on the same side. */
+/** Finds the first change between a point of a cell and another in another region; false if that is in the same. */
 template <typename TCell>
 bool
 FindChangeTowards(const TCell &                   cell,
@@ -57,14 +58,14 @@ FindChangeTowards(const TCell &                   cell,
                   const DelaunayRefinementPoint & end,
                   DelaunayRefinementPoint &       found)
 {
-  const bool isInside = cell.IsInside(start);
-  if (cell.IsInside(end) == isInside)
+  const DelaunayRefinementRegion region = cell.Classify(start);
+  if (cell.Classify(end) == region)
   {
     return false;
   }
   // Rounding may hide a change that is at the very end.
   double share;
-  if (!cell.FindFirstChange(start, end, isInside, share))
+  if (!cell.FindFirstChange(start, end, region, share))
   {
     share = 1.0;
   }
@@ -126,10 +127,10 @@ public:
     return this->EvaluateAtZero(p[1], p[2]) + p[0] * this->ComputeSlope(p[1], p[2]);
   }
 
-  bool
-  IsInside(const PointType & p) const
+  DelaunayRefinementRegion
+  Classify(const PointType & p) const
   {
-    return this->Evaluate(p) >= 0.0;
+    return this->Evaluate(p) >= 0.0 ? 1 : 0;
   }
 
   bool
@@ -187,7 +188,7 @@ public:
   }
 
   bool
-  FindFirstChange(const PointType & from, const PointType & to, bool isInside, double & share) const
+  FindFirstChange(const PointType & from, const PointType & to, DelaunayRefinementRegion region, double & share) const
   {
     // A cubic along the way, in Bernstein form: it stays between the least and the greatest of its coefficients.
     const PointType d{ to[0] - from[0], to[1] - from[1], to[2] - from[2] };
@@ -202,7 +203,7 @@ public:
     const double c3 = dxy * d[2] * m_XYZ;
     const double third = 1.0 / 3.0;
     return FindFirstChange(
-      { c0, c0 + third * c1, c0 + 2.0 * third * c1 + third * c2, c0 + c1 + c2 + c3 }, isInside, 0.0, 1.0, share);
+      { c0, c0 + third * c1, c0 + 2.0 * third * c1 + third * c2, c0 + c1 + c2 + c3 }, region != 0, 0.0, 1.0, share);
   }
 
   bool
@@ -330,7 +331,7 @@ private:
 };
 
 /** \class DelaunayRefinementNearestCell
- * \brief Inside is where the nearest corner is; halfway counts for the upper one.
+ * \brief The region is that of the nearest corner; halfway counts for the upper one.
  *
  * \ingroup DelaunayRefinement
  */
@@ -339,24 +340,24 @@ class DelaunayRefinementNearestCell
 public:
   using PointType = DelaunayRefinementPoint;
 
-  explicit DelaunayRefinementNearestCell(unsigned int configuration)
-    : m_Configuration(configuration)
+  /** The corners' regions, x fastest. */
+  explicit DelaunayRefinementNearestCell(const std::array<DelaunayRefinementRegion, 8> & regions)
+    : m_Regions(regions)
   {}
 
-  bool
-  IsInside(const PointType & p) const
+  DelaunayRefinementRegion
+  Classify(const PointType & p) const
   {
-    const unsigned int corner = (p[0] >= 0.5 ? 1u : 0u) | (p[1] >= 0.5 ? 2u : 0u) | (p[2] >= 0.5 ? 4u : 0u);
-    return m_Configuration >> corner & 1u;
+    return m_Regions[(p[0] >= 0.5 ? 1u : 0u) | (p[1] >= 0.5 ? 2u : 0u) | (p[2] >= 0.5 ? 4u : 0u)];
   }
 
   bool
   MayIntersect(const PointType & corner, double size) const
   {
-    const bool first = this->IsInside(corner);
+    const DelaunayRefinementRegion first = this->Classify(corner);
     for (unsigned int i = 1; i < 8; ++i)
     {
-      if (this->IsInside(
+      if (this->Classify(
             { corner[0] + (i & 1u) * size, corner[1] + (i >> 1 & 1u) * size, corner[2] + (i >> 2) * size }) != first)
       {
         return true;
@@ -378,9 +379,9 @@ public:
   }
 
   bool
-  FindFirstChange(const PointType & from, const PointType & to, bool isInside, double & share) const
+  FindFirstChange(const PointType & from, const PointType & to, DelaunayRefinementRegion region, double & share) const
   {
-    // The inside can only change where a coordinate passes one half.
+    // The region can only change where a coordinate passes one half.
     std::array<double, 5> stops{ 0.0, 1.0, 1.0, 1.0, 1.0 };
     for (unsigned int i = 0; i < 3; ++i)
     {
@@ -393,16 +394,16 @@ public:
     for (unsigned int i = 0; i + 1 < stops.size(); ++i)
     {
       const double s = 0.5 * (stops[i] + stops[i + 1]);
-      if (stops[i] < stops[i + 1] && this->IsInside({ from[0] + s * (to[0] - from[0]),
+      if (stops[i] < stops[i + 1] && this->Classify({ from[0] + s * (to[0] - from[0]),
                                                       from[1] + s * (to[1] - from[1]),
-                                                      from[2] + s * (to[2] - from[2]) }) != isInside)
+                                                      from[2] + s * (to[2] - from[2]) }) != region)
       {
         share = stops[i];
         return true;
       }
     }
     share = 1.0;
-    return this->IsInside(to) != isInside;
+    return this->Classify(to) != region;
   }
 
   bool
@@ -412,7 +413,7 @@ public:
   }
 
 private:
-  unsigned int m_Configuration;
+  std::array<DelaunayRefinementRegion, 8> m_Regions;
 };
 
 /** \class DelaunayRefinementFieldCell
@@ -430,10 +431,10 @@ public:
     : m_IsInside(isInside)
   {}
 
-  bool
-  IsInside(const PointType & p) const
+  DelaunayRefinementRegion
+  Classify(const PointType & p) const
   {
-    return m_IsInside(p);
+    return m_IsInside(p) ? 1 : 0;
   }
 
   bool
@@ -471,12 +472,13 @@ public:
   }
 
   bool
-  FindFirstChange(const PointType & from, const PointType & to, bool isInside, double & share) const
+  FindFirstChange(const PointType & from, const PointType & to, DelaunayRefinementRegion region, double & share) const
   {
     const auto at = [&](double s) {
       return m_IsInside(
         { from[0] + s * (to[0] - from[0]), from[1] + s * (to[1] - from[1]), from[2] + s * (to[2] - from[2]) });
     };
+    const bool   isInside = region != 0;
     const double length = std::max({ std::abs(to[0] - from[0]), std::abs(to[1] - from[1]), std::abs(to[2] - from[2]) });
     const unsigned int steps = 2 * SamplesPerSide(length);
     for (unsigned int i = 0; i <= steps; ++i)
@@ -507,8 +509,8 @@ private:
   const TFunction & m_IsInside;
 };
 
-/** A point of the surface in a cube of a cell: on the way from \c start, a point of the cube, to the first point on the
- * other side, of those across on its faces and then of a grid. False if there is none. */
+/** A point of the surface in a cube of a cell: on the way from \c start, a point of the cube, to the first point in
+ * another region, of those across on its faces and then of a grid. False if there is none. */
 template <typename TCell>
 bool
 FindSurfacePointInCube(const TCell &                   cell,

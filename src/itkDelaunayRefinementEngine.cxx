@@ -739,17 +739,21 @@ bool
 DelaunayRefinementEngine::Impl::LowerDeltaOfMissingComponents()
 {
   m_Statistics.missingComponents = FindMissingDelaunayRefinementComponents(m_Oracle, *m_Complex, m_Threads);
-  if (m_Statistics.missingComponents.empty() || m_NumberOfLowerings == MaximumNumberOfLowerings)
+  if (m_NumberOfLowerings == MaximumNumberOfLowerings)
   {
     return false;
   }
   ++m_NumberOfLowerings;
   for (const std::uint32_t component : m_Statistics.missingComponents)
   {
-    m_LocalDelta.Lower(component, 0.5 * m_LocalDelta.GetOfComponent(component));
+    const auto & isDispensable = m_Parameters.isDispensable;
+    if (component >= isDispensable.size() || !isDispensable[component])
+    {
+      m_LocalDelta.Lower(component, 0.5 * m_LocalDelta.GetOfComponent(component));
+      m_IsSampleOpen = true;
+    }
   }
-  m_IsSampleOpen = true;
-  return true;
+  return m_IsSampleOpen;
 }
 
 bool

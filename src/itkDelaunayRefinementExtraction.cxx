@@ -20,6 +20,7 @@
 #include "itkDelaunayRefinementFirstUses.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace itk
 {
@@ -51,11 +52,11 @@ ForEach(Threads * threads, std::size_t size, const TAction & action)
                      });
 }
 
-/** What a range of the cells has of the boundary. */
+/** What a range of the cells has of the boundary and the interfaces. */
 struct BoundaryPartType
 {
-  std::vector<TriangleType>  triangles{};
-  std::vector<std::uint32_t> regions{};
+  std::vector<TriangleType>                 triangles{};
+  std::vector<std::array<std::uint32_t, 2>> regions{};
 };
 } // namespace
 
@@ -68,17 +69,19 @@ ExtractDelaunayRefinementResult(const DelaunayRefinementComplex & complex, Delau
   const std::size_t        numberOfPieces = Threads::CountPieces(numberOfCells, length);
   DelaunayRefinementResult result;
 
-  // A byte each, as every cell is asked for by its neighbors.
-  DelaunayRefinementArray<std::uint8_t> isInside(numberOfCells);
+  // A byte each, as every cell is asked for by its neighbors: its region, or the largest number.
+  constexpr std::uint8_t                large = std::numeric_limits<std::uint8_t>::max();
+  DelaunayRefinementArray<std::uint8_t> sides(numberOfCells);
   std::vector<std::size_t>              firsts(numberOfPieces + 1, 0);
   Threads::RunPieces(threads, numberOfCells, length, [&](std::size_t piece, std::size_t begin, std::size_t end) {
     std::size_t count = 0;
     for (std::size_t i = begin; i < end; ++i)
     {
       // Infinite cells are outside.
-      const auto cell = static_cast<IndexType>(i);
-      isInside[i] = triangulation.IsAlive(cell) && complex.GetRegion(cell) != 0 ? 1 : 0;
-      count += isInside[i];
+      const auto          cell = static_cast<IndexType>(i);
+      const std::uint32_t region = triangulation.IsAlive(cell) ? complex.GetRegion(cell) : 0;
+      sides[i] = static_cast<std::uint8_t>(std::min<std::uint32_t>(region, large));
+      count += region != 0 ? 1 : 0;
     }
     firsts[piece + 1] = count;
   });
@@ -95,7 +98,7 @@ ExtractDelaunayRefinementResult(const DelaunayRefinementComplex & complex, Delau
     std::size_t next = firsts[piece];
     for (std::size_t i = begin; i < end; ++i)
     {
-      if (!isInside[i])
+      if (sides[i] == 0)
       {
         continue;
       }
@@ -106,11 +109,12 @@ ExtractDelaunayRefinementResult(const DelaunayRefinementComplex & complex, Delau
       ++next;
       for (unsigned int j = 0; j < 4; ++j)
       {
-        if (!isInside[cell.neighbors[j]])
+        const IndexType neighbor = cell.neighbors[j];
+        if (sides[neighbor] < sides[i] || (sides[neighbor] == large && complex.GetRegion(neighbor) < region))
         {
           const auto & face = FaceVertices[j];
           parts[piece].triangles.push_back({ cell.vertices[face[0]], cell.vertices[face[1]], cell.vertices[face[2]] });
-          parts[piece].regions.push_back(region);
+          parts[piece].regions.push_back({ region, sides[neighbor] == 0 ? 0 : complex.GetRegion(neighbor) });
         }
       }
     }

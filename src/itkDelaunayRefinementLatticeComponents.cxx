@@ -87,6 +87,7 @@ DelaunayRefinementLatticeOracle::ComputeComponents(double enough) const
       components[i].inscribedRadius = isMask && infos[i].numberOfVoxels < FewVoxels
                                         ? RadiusOfVoxel * this->GetLeastSpacing()
                                         : this->ClimbToInscribedRadius(centers[i], enough);
+      components[i].region = infos[i].region;
     }
   });
   return components;
@@ -130,13 +131,17 @@ DelaunayRefinementLatticeOracle::ChooseCandidates() const
 std::pair<double, double>
 DelaunayRefinementLatticeOracle::MeasureThickness(const IndexType & voxel, double enough) const
 {
+  const RegionType region = m_HasRegions ? this->GetVoxelRegion(voxel[0], voxel[1], voxel[2]) : 1;
+  const auto       isInside = [&](const IndexType & v) {
+    return m_Mask->Get(v[0], v[1], v[2]) && (!m_HasRegions || this->GetVoxelRegion(v[0], v[1], v[2]) == region);
+  };
   std::array<double, 3> widths{};
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
     const double spacing = std::sqrt(m_Gram[axis][axis]);
     IndexType    low = voxel;
     IndexType    high = voxel;
-    while (widths[axis] < enough && m_Mask->Get(low[0], low[1], low[2]) && m_Mask->Get(high[0], high[1], high[2]))
+    while (widths[axis] < enough && isInside(low) && isInside(high))
     {
       --low[axis];
       ++high[axis];
@@ -183,8 +188,9 @@ DelaunayRefinementLatticeOracle::ClimbToInscribedRadius(const IndexType & voxel,
   constexpr unsigned int maximumNumberOfSteps = 16;
   constexpr double       smallestGain = 0.05;
   PointType              point = this->ToPhysical(PointType{ voxel[0] + 1.0, voxel[1] + 1.0, voxel[2] + 1.0 });
+  const RegionType       region = m_HasRegions ? this->GetVoxelRegion(voxel[0], voxel[1], voxel[2]) : 1;
   const auto             radiusAt = [&](const PointType & p, double nearEnough, PointType & closest) {
-    return this->Classify(p) != 0 && this->FindClosestSurfacePoint(p, enough, nearEnough, closest)
+    return this->Classify(p) == region && this->FindClosestSurfacePoint(p, enough, nearEnough, closest)
                          ? Geometry::Distance(p, closest)
                          : -1.0;
   };
@@ -193,13 +199,13 @@ DelaunayRefinementLatticeOracle::ClimbToInscribedRadius(const IndexType & voxel,
   if (radius < 0.0)
   {
     // Nothing near, if inside at all.
-    return this->Classify(point) != 0 ? enough : 0.0;
+    return this->Classify(point) == region ? enough : 0.0;
   }
   double stride = 0.5;
   for (unsigned int step = 0; step < maximumNumberOfSteps && radius < enough && stride > smallestGain; ++step)
   {
     const PointType next = Geometry::AddScaled(point, stride, Geometry::Subtract(point, closest));
-    if (this->Classify(next) == 0)
+    if (this->Classify(next) != region)
     {
       stride *= 0.5;
       continue;
@@ -246,8 +252,15 @@ DelaunayRefinementLatticeOracle::EstimateSurfaceArea() const
       const std::uint64_t * nextZ = mask.GetRow(y, z + 1);
       for (std::size_t i = 0; i < words; ++i)
       {
-        const std::uint64_t carry = i + 1 < words ? row[i + 1] << 63 : 0;
-        const std::uint64_t changes[3] = { row[i] ^ (row[i] >> 1 | carry), row[i] ^ nextY[i], row[i] ^ nextZ[i] };
+        const std::uint64_t nextX = row[i] >> 1 | (i + 1 < words ? row[i + 1] << 63 : 0);
+        std::uint64_t       changes[3] = { row[i] ^ nextX, row[i] ^ nextY[i], row[i] ^ nextZ[i] };
+        if (m_HasRegions)
+        {
+          const std::uint64_t * along = m_Changes->GetRow(0, y, z);
+          changes[0] |= row[i] & nextX & (along[i] >> 1 | (i + 1 < words ? along[i + 1] << 63 : 0));
+          changes[1] |= row[i] & nextY[i] & m_Changes->GetRow(1, y + 1, z)[i];
+          changes[2] |= row[i] & nextZ[i] & m_Changes->GetRow(2, y, z + 1)[i];
+        }
         if (changes[0] | changes[1] | changes[2])
         {
           for (unsigned int axis = 0; axis < 3; ++axis)

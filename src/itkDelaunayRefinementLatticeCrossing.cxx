@@ -64,7 +64,7 @@ DelaunayRefinementLatticeOracle::FindFirstCrossing(const PointType & from,
   }
 
   // From brick to brick.
-  const bool            isInside = this->Classify(from) != 0;
+  const RegionType      region = this->Classify(from);
   constexpr double      size = DelaunayRefinementBricks::BrickSize;
   const IndexType &     levelSize = m_Bricks->GetLevelSize(0);
   IndexType             brick;
@@ -84,7 +84,7 @@ DelaunayRefinementLatticeOracle::FindFirstCrossing(const PointType & from,
     const double       exit = std::min(next[axis], finish);
     double             found;
     if (m_Bricks->IsActiveNode(0, brick) &&
-        this->FindChangeInBrick(brick, start, direction, share, exit, isInside, found))
+        this->FindChangeInBrick(brick, start, direction, share, exit, region, found))
     {
       crossing = this->ToPhysical(Geometry::AddScaled(start, found, direction));
       return true;
@@ -109,7 +109,7 @@ DelaunayRefinementLatticeOracle::FindChangeInBrick(const IndexType & brick,
                                                    const PointType & direction,
                                                    double            begin,
                                                    double            end,
-                                                   bool              isInside,
+                                                   RegionType        region,
                                                    double &          share) const
 {
   IndexType             cell;
@@ -133,7 +133,7 @@ DelaunayRefinementLatticeOracle::FindChangeInBrick(const IndexType & brick,
       const PointType other = ToLocal(Geometry::AddScaled(from, exit, direction), cell);
       double          found;
       if (this->VisitCell(cell,
-                          [&](const auto & content) { return content.FindFirstChange(one, other, isInside, found); }))
+                          [&](const auto & content) { return content.FindFirstChange(one, other, region, found); }))
       {
         share = entry + found * (exit - entry);
         return true;

@@ -51,11 +51,12 @@ DelaunayRefinementLatticeOracle::DelaunayRefinementLatticeOracle() = default;
 DelaunayRefinementLatticeOracle::~DelaunayRefinementLatticeOracle() = default;
 
 void
-DelaunayRefinementLatticeOracle::Initialize(ModelEnum                         model,
-                                            const FrameType &                 frame,
-                                            DelaunayRefinementVoxelMask       mask,
-                                            DelaunayRefinementVoxelComponents components,
-                                            DelaunayRefinementThreads *       threads)
+DelaunayRefinementLatticeOracle::Initialize(ModelEnum                                        model,
+                                            const FrameType &                                frame,
+                                            DelaunayRefinementVoxelMask                      mask,
+                                            DelaunayRefinementVoxelComponents                components,
+                                            DelaunayRefinementThreads *                      threads,
+                                            std::unique_ptr<DelaunayRefinementRegionChanges> changes)
 {
   m_Threads = threads;
   m_Model = model;
@@ -83,7 +84,9 @@ DelaunayRefinementLatticeOracle::Initialize(ModelEnum                         mo
   m_LeastStretch = std::max(0.0, ComputeLeastEigenvalue(cosine(0, 1), cosine(0, 2), cosine(1, 2)) - noShear);
   m_Mask = std::make_unique<DelaunayRefinementVoxelMask>(std::move(mask));
   m_Components = std::make_unique<DelaunayRefinementVoxelComponents>(std::move(components));
-  m_Bricks = std::make_unique<DelaunayRefinementBricks>(*m_Mask, m_Threads);
+  m_Changes = std::move(changes);
+  m_HasRegions = m_Changes != nullptr;
+  m_Bricks = std::make_unique<DelaunayRefinementBricks>(*m_Mask, m_Changes.get(), m_Threads);
   for (unsigned int corner = 0; corner < 8; ++corner)
   {
     for (unsigned int i = 0; i < 3; ++i)
@@ -111,13 +114,19 @@ DelaunayRefinementLatticeOracle::RemoveComponents(const std::vector<bool> & isRe
     }
   }
   m_Components->Remove(isRemoved, *m_Mask);
-  m_Bricks->Update(*m_Mask, boxes);
+  m_Bricks->Update(*m_Mask, m_Changes.get(), boxes);
 }
 
 double
 DelaunayRefinementLatticeOracle::GetVoxelValue(std::int32_t x, std::int32_t y, std::int32_t z) const
 {
   return m_Mask->Get(x, y, z) ? 0.5 : -0.5;
+}
+
+DelaunayRefinementOracle::RegionType
+DelaunayRefinementLatticeOracle::GetVoxelRegion(std::int32_t, std::int32_t, std::int32_t) const
+{
+  return 1;
 }
 
 bool
@@ -260,7 +269,16 @@ DelaunayRefinementLatticeOracle::Classify(const PointType & point) const
   const BrickEnum brick = m_Bricks->GetKind({ cell[0] >> 2, cell[1] >> 2, cell[2] >> 2 });
   if (brick != BrickEnum::MIXED)
   {
-    return brick == BrickEnum::INSIDE ? 1 : 0;
+    return brick == BrickEnum::INSIDE ? this->GetUniformRegion(cell) : 0;
+  }
+  if (m_HasRegions)
+  {
+    if (!m_Bricks->IsActiveCell(cell))
+    {
+      return m_Mask->GetConfiguration(cell[0], cell[1], cell[2]) == 0 ? 0 : this->GetUniformRegion(cell);
+    }
+    const PointType local = ToLocal(lattice, cell);
+    return this->VisitCell(cell, [&local](const auto & content) { return content.Classify(local); });
   }
   const unsigned int configuration = m_Mask->GetConfiguration(cell[0], cell[1], cell[2]);
   if (configuration == 0 || configuration == 255)
@@ -268,10 +286,43 @@ DelaunayRefinementLatticeOracle::Classify(const PointType & point) const
     return configuration == 0 ? 0 : 1;
   }
   const PointType local = ToLocal(lattice, cell);
-  const bool      isInside = m_Model == ModelEnum::INDICATOR
-                               ? DelaunayRefinementIndicatorCell::Get(configuration).cell.IsInside(local)
-                               : this->VisitCell(cell, [&local](const auto & content) { return content.IsInside(local); });
-  return isInside ? 1 : 0;
+  return m_Model == ModelEnum::INDICATOR
+           ? DelaunayRefinementIndicatorCell::Get(configuration).cell.Classify(local)
+           : this->VisitCell(cell, [&local](const auto & content) { return content.Classify(local); });
+}
+
+std::array<DelaunayRefinementOracle::RegionType, 8>
+DelaunayRefinementLatticeOracle::GetCellRegions(const IndexType & cell) const
+{
+  const unsigned int        configuration = m_Mask->GetConfiguration(cell[0], cell[1], cell[2]);
+  std::array<RegionType, 8> regions{};
+  for (std::int32_t i = 0; i < 8; ++i)
+  {
+    if (configuration >> i & 1u)
+    {
+      regions[i] = m_HasRegions
+                     ? this->GetVoxelRegion(cell[0] - 1 + (i & 1), cell[1] - 1 + (i >> 1 & 1), cell[2] - 1 + (i >> 2))
+                     : 1;
+    }
+  }
+  return regions;
+}
+
+unsigned int
+DelaunayRefinementLatticeOracle::GetIndicatorConfiguration(const IndexType & cell) const
+{
+  if (m_Model != ModelEnum::INDICATOR)
+  {
+    return 0;
+  }
+  return m_HasRegions ? FindDelaunayRefinementPair(this->GetCellRegions(cell)).configuration
+                      : m_Mask->GetConfiguration(cell[0], cell[1], cell[2]);
+}
+
+DelaunayRefinementOracle::RegionType
+DelaunayRefinementLatticeOracle::GetUniformRegion(const IndexType & cell) const
+{
+  return m_HasRegions ? this->GetVoxelRegion(cell[0] - 1, cell[1] - 1, cell[2] - 1) : 1;
 }
 
 bool
@@ -324,9 +375,11 @@ DelaunayRefinementLatticeOracle::FindComponent(const PointType & point) const
   {
     return 0;
   }
-  // The nearest voxel of the object among those around; rounding may put the point a little off its cell.
-  const PointType lattice = this->ToLattice(point);
-  const auto &    size = m_Mask->GetSize();
+  // The nearest voxel of the object, or of the point's region, among those around; rounding may put the point a little
+  // off its cell.
+  const RegionType region = m_HasRegions ? this->Classify(point) : 0;
+  const PointType  lattice = this->ToLattice(point);
+  const auto &     size = m_Mask->GetSize();
   for (const std::int32_t reach : { 0, 1, 2 })
   {
     double    best = std::numeric_limits<double>::infinity();
@@ -346,7 +399,7 @@ DelaunayRefinementLatticeOracle::FindComponent(const PointType & point) const
         for (std::int32_t x = first[0]; x <= last[0]; ++x)
         {
           const double squared = this->GetSquaredLength({ x + 1 - lattice[0], y + 1 - lattice[1], z + 1 - lattice[2] });
-          if (squared < best && m_Mask->Get(x, y, z))
+          if (squared < best && m_Mask->Get(x, y, z) && (region == 0 || this->GetVoxelRegion(x, y, z) == region))
           {
             best = squared;
             nearest = { x, y, z };
@@ -360,6 +413,34 @@ DelaunayRefinementLatticeOracle::FindComponent(const PointType & point) const
     }
   }
   return 0;
+}
+
+std::vector<DelaunayRefinementOracle::ComponentType>
+DelaunayRefinementLatticeOracle::FindComponentsAt(const PointType & point) const
+{
+  std::vector<ComponentType> found{ this->FindComponent(point) };
+  if (m_HasRegions)
+  {
+    // All that have a corner of the point's cell.
+    const PointType lattice = this->ToLattice(point);
+    const auto &    size = m_Mask->GetSize();
+    IndexType       cell;
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      cell[i] = static_cast<std::int32_t>(std::clamp(lattice[i], 0.0, static_cast<double>(size[i])));
+    }
+    const unsigned int configuration = m_Mask->GetConfiguration(cell[0], cell[1], cell[2]);
+    for (std::int32_t i = 0; i < 8; ++i)
+    {
+      if (configuration >> i & 1u)
+      {
+        found.push_back(m_Components->Find(cell[0] - 1 + (i & 1), cell[1] - 1 + (i >> 1 & 1), cell[2] - 1 + (i >> 2)));
+      }
+    }
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+  }
+  return found;
 }
 
 DelaunayRefinementOracle::BoundsType

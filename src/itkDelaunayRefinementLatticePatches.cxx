@@ -75,13 +75,6 @@ GetChild(const DelaunayRefinementOracle::SurfacePatchIdentifier & patch, std::in
   };
 }
 
-/** The quarters of a cell of a mask's interpolated indicator that may hold surface. */
-std::uint64_t
-GetIndicatorQuarters(const DelaunayRefinementVoxelMask & mask, const std::array<std::int32_t, 3> & cell)
-{
-  return DelaunayRefinementIndicatorCell::Get(mask.GetConfiguration(cell[0], cell[1], cell[2])).quarters;
-}
-
 /** Of a cell's quarters those in one of its eighths, by number. */
 unsigned int
 GatherOctants(std::uint64_t quarters, const std::array<std::int32_t, 3> & eighth)
@@ -139,11 +132,12 @@ DelaunayRefinementLatticeOracle::SplitSurfacePatch(const SurfacePatchIdentifier 
     return;
   }
   const PlaceType    place = ToPlace(patch);
-  const bool         isKnown = m_Model == ModelEnum::INDICATOR && patch.level == CellLevel + 1;
-  const unsigned int octants = isKnown ? GatherOctants(GetIndicatorQuarters(*m_Mask, place.cell), patch.index)
-                                       : this->FindOctants(place.cell, place.corner, place.size);
-  const double       quarter = 0.25 * place.size;
-  const auto         shape = this->MakeShape({ quarter, quarter, quarter }, { quarter, quarter, quarter });
+  const unsigned int configuration = patch.level == CellLevel + 1 ? this->GetIndicatorConfiguration(place.cell) : 0;
+  const unsigned int octants =
+    configuration != 0 ? GatherOctants(DelaunayRefinementIndicatorCell::Get(configuration).quarters, patch.index)
+                       : this->FindOctants(place.cell, place.corner, place.size);
+  const double quarter = 0.25 * place.size;
+  const auto   shape = this->MakeShape({ quarter, quarter, quarter }, { quarter, quarter, quarter });
   for (std::int32_t i = 0; i < 8; ++i)
   {
     if (octants >> i & 1u)
@@ -182,9 +176,9 @@ DelaunayRefinementLatticeOracle::SplitBrick(const SurfacePatchIdentifier & patch
       const std::array<float, 3> corner{ first[0] + m_CornerOffsets[i][0],
                                          first[1] + m_CornerOffsets[i][1],
                                          first[2] + m_CornerOffsets[i][2] };
-      if (m_Model == ModelEnum::INDICATOR)
+      if (const unsigned int configuration = this->GetIndicatorConfiguration(cell))
       {
-        parts.Add(m_CellShapes[m_Mask->GetConfiguration(cell[0], cell[1], cell[2])].cell, corner, child);
+        parts.Add(m_CellShapes[configuration].cell, corner, child);
       }
       else if (const std::uint64_t quarters = this->GetQuarters(cell))
       {
@@ -199,9 +193,9 @@ DelaunayRefinementLatticeOracle::SplitCell(const SurfacePatchIdentifier & patch,
 {
   const IndexType & cell = patch.index;
   const auto        corner = parts.MakeCorner(this->ToPhysical(ToPoint(cell, 1.0)));
-  if (m_Model == ModelEnum::INDICATOR)
+  if (const unsigned int configuration = this->GetIndicatorConfiguration(cell))
   {
-    const CellShapesType & shapes = m_CellShapes[m_Mask->GetConfiguration(cell[0], cell[1], cell[2])];
+    const CellShapesType & shapes = m_CellShapes[configuration];
     for (std::int32_t i = 0; i < 8; ++i)
     {
       if (shapes.octants >> i & 1u)
@@ -224,7 +218,7 @@ DelaunayRefinementLatticeOracle::SplitCell(const SurfacePatchIdentifier & patch,
 std::uint64_t
 DelaunayRefinementLatticeOracle::GetQuarters(const IndexType & cell) const
 {
-  if (m_Model != ModelEnum::GREY)
+  if (m_Model == ModelEnum::NEAREST || m_Model == ModelEnum::FIELD)
   {
     return ~std::uint64_t{ 0 };
   }

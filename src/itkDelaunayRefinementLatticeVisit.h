@@ -21,6 +21,7 @@
 #include "itkDelaunayRefinementBricks.h"
 #include "itkDelaunayRefinementCells.h"
 #include "itkDelaunayRefinementLatticeOracle.h"
+#include "itkDelaunayRefinementRegionCells.h"
 
 // Shared by the sources of the lattice oracle alone.
 
@@ -51,17 +52,65 @@ private:
   MakeAll();
 };
 
+/** Two regions that share the corners of a cell between them. */
+struct DelaunayRefinementPair
+{
+  /** The corners that belong to \c inside; 0 if there are more than two regions. */
+  unsigned int configuration;
+  /** The smaller one of the two that is not outside: at equal weights points are its own. */
+  DelaunayRefinementRegion inside;
+  DelaunayRefinementRegion elsewhere;
+};
+
+/** Of corners that are not all alike. */
+inline DelaunayRefinementPair
+FindDelaunayRefinementPair(const std::array<DelaunayRefinementRegion, 8> & corners)
+{
+  DelaunayRefinementPair pair{ 0, corners[0], corners[0] };
+  for (const DelaunayRefinementRegion corner : corners)
+  {
+    pair.elsewhere = corner != pair.inside ? corner : pair.elsewhere;
+  }
+  if (pair.inside == 0 || (pair.elsewhere != 0 && pair.elsewhere < pair.inside))
+  {
+    std::swap(pair.inside, pair.elsewhere);
+  }
+  for (unsigned int i = 0; i < 8; ++i)
+  {
+    if (corners[i] == pair.inside)
+    {
+      pair.configuration |= 1u << i;
+    }
+    else if (corners[i] != pair.elsewhere)
+    {
+      pair.configuration = 0;
+      break;
+    }
+  }
+  return pair;
+}
+
 template <typename TVisitor>
 auto
 DelaunayRefinementLatticeOracle::VisitCell(const IndexType & cell, const TVisitor & visitor) const
 {
   if (m_Model == ModelEnum::INDICATOR)
   {
-    return visitor(DelaunayRefinementIndicatorCell::Get(m_Mask->GetConfiguration(cell[0], cell[1], cell[2])).cell);
+    if (!m_HasRegions)
+    {
+      return visitor(DelaunayRefinementIndicatorCell::Get(m_Mask->GetConfiguration(cell[0], cell[1], cell[2])).cell);
+    }
+    const auto corners = this->GetCellRegions(cell);
+    if (const auto pair = FindDelaunayRefinementPair(corners); pair.configuration != 0)
+    {
+      const auto & indicator = DelaunayRefinementIndicatorCell::Get(pair.configuration).cell;
+      return visitor(DelaunayRefinementTwoRegionsCell(indicator, pair.inside, pair.elsewhere));
+    }
+    return visitor(DelaunayRefinementRegionsCell(corners));
   }
   if (m_Model == ModelEnum::NEAREST)
   {
-    return visitor(DelaunayRefinementNearestCell(m_Mask->GetConfiguration(cell[0], cell[1], cell[2])));
+    return visitor(DelaunayRefinementNearestCell(this->GetCellRegions(cell)));
   }
   if (m_Model == ModelEnum::FIELD)
   {

@@ -79,7 +79,12 @@ DelaunayRefinementLocalDelta::GetAt(const PointType & point) const
     {
       if (IsWithin(m_Lowered[place].bounds, point, 0.0))
       {
-        return this->GetOfComponent(m_Oracle.FindComponent(point));
+        double delta = m_Delta;
+        for (const ComponentType component : m_Oracle.FindComponentsAt(point))
+        {
+          delta = std::min(delta, this->GetOfComponent(component));
+        }
+        return delta;
       }
     }
   }

@@ -28,6 +28,12 @@ DelaunayRefinementOracle::IsSurfaceWithin(const PointType & point, double distan
   return this->FindClosestSurfacePoint(point, distance, closest);
 }
 
+std::vector<DelaunayRefinementOracle::ComponentType>
+DelaunayRefinementOracle::FindComponentsAt(const PointType & point) const
+{
+  return { this->FindComponent(point) };
+}
+
 DelaunayRefinementOracle::BoundsType
 DelaunayRefinementOracle::GetComponentBounds(ComponentType) const
 {

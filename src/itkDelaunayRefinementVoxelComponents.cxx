@@ -33,13 +33,14 @@ using Threads = DelaunayRefinementThreads;
 /** Fewer rows are no work for a thread. */
 constexpr std::size_t LeastRowsPerPiece = 512;
 
-/** The lowest bit at or after \c from for which the words are \c value. */
+/** The lowest bit at or after \c from that is set in a word that \c wordAt gives. */
+template <typename TWordAt>
 std::int32_t
-FindBit(const std::uint64_t * words, std::int32_t from, std::int32_t end, bool value)
+FindBit(const TWordAt & wordAt, std::int32_t from, std::int32_t end)
 {
   while (from < end)
   {
-    const std::uint64_t word = (value ? words[from >> 6] : ~words[from >> 6]) >> (from & 63);
+    const std::uint64_t word = wordAt(from >> 6) >> (from & 63);
     if (word != 0)
     {
       return std::min(end, from + static_cast<std::int32_t>(FindDelaunayRefinementBit(word)));
@@ -49,14 +50,16 @@ FindBit(const std::uint64_t * words, std::int32_t from, std::int32_t end, bool v
   return end;
 }
 
+/** A run also ends where \c changes, if there are any, says so. */
 std::size_t
-CountRuns(const std::uint64_t * words, std::size_t numberOfWords)
+CountRuns(const std::uint64_t * words, const std::uint64_t * changes, std::size_t numberOfWords)
 {
   std::size_t   count = 0;
   std::uint64_t carry = 0;
   for (std::size_t i = 0; i < numberOfWords; ++i)
   {
-    const std::uint64_t starts = words[i] & ~(words[i] << 1 | carry);
+    const std::uint64_t joined = (words[i] << 1 | carry) & (changes == nullptr ? ~std::uint64_t{ 0 } : ~changes[i]);
+    const std::uint64_t starts = words[i] & ~joined;
     count += starts == 0 ? 0 : CountDelaunayRefinementBits(starts);
     carry = words[i] >> 63;
   }
@@ -85,8 +88,37 @@ DelaunayRefinementVoxelComponents::DelaunayRefinementVoxelComponents(const Delau
                                                                      DelaunayRefinementThreads *         threads)
   : m_Size(mask.GetSize())
 {
-  this->FindRuns(mask, threads);
+  this->FindRuns(mask, nullptr, threads);
+  this->FindComponents(threads);
+}
 
+DelaunayRefinementVoxelComponents::DelaunayRefinementVoxelComponents(const DelaunayRefinementVoxelMask &     mask,
+                                                                     const DelaunayRefinementRegionChanges & changes,
+                                                                     const RegionOfVoxelType &               regionOf,
+                                                                     DelaunayRefinementThreads *             threads)
+  : m_Size(mask.GetSize())
+{
+  this->FindRuns(mask, &changes, threads);
+  m_Regions.resize(m_Runs.size());
+  const std::size_t rows = this->GetNumberOfRows();
+  const std::size_t length = Threads::ChoosePieceLength(threads, rows, LeastRowsPerPiece);
+  Threads::RunPieces(threads, rows, length, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t row = begin; row < end; ++row)
+    {
+      const auto y = static_cast<std::int32_t>(row % m_Size[1]);
+      const auto z = static_cast<std::int32_t>(row / m_Size[1]);
+      for (std::size_t i = m_FirstRuns[row]; i < m_FirstRuns[row + 1]; ++i)
+      {
+        m_Regions[i] = regionOf(m_Runs[i].first, y, z);
+      }
+    }
+  });
+  this->FindComponents(threads);
+}
+
+void
+DelaunayRefinementVoxelComponents::FindComponents(DelaunayRefinementThreads * threads)
+{
   // Pieces first, each by itself, then their seams.
   const std::size_t slices = m_Size[2];
   const std::size_t slicesPerPiece = Threads::ChoosePieceLength(threads, slices, 1 + LeastRowsPerPiece / m_Size[1]);
@@ -117,13 +149,20 @@ DelaunayRefinementVoxelComponents::DelaunayRefinementVoxelComponents(const Delau
 }
 
 void
-DelaunayRefinementVoxelComponents::FindRuns(const DelaunayRefinementVoxelMask & mask,
-                                            DelaunayRefinementThreads *         threads)
+DelaunayRefinementVoxelComponents::FindRuns(const DelaunayRefinementVoxelMask &     mask,
+                                            const DelaunayRefinementRegionChanges * changes,
+                                            DelaunayRefinementThreads *             threads)
 {
   const std::size_t rows = this->GetNumberOfRows();
   const std::size_t length = Threads::ChoosePieceLength(threads, rows, LeastRowsPerPiece);
   const auto        wordsOf = [&](std::size_t row) {
     return mask.GetRow(static_cast<std::int32_t>(row % m_Size[1]) + 1, static_cast<std::int32_t>(row / m_Size[1]) + 1);
+  };
+  const auto changesOf = [&](std::size_t row) -> const std::uint64_t * {
+    return changes == nullptr ? nullptr
+                              : changes->GetRow(0,
+                                                static_cast<std::int32_t>(row % m_Size[1]) + 1,
+                                                static_cast<std::int32_t>(row / m_Size[1]) + 1);
   };
   // Each row's number of runs at first.
   m_FirstRuns.resize(rows + 1);
@@ -131,7 +170,7 @@ DelaunayRefinementVoxelComponents::FindRuns(const DelaunayRefinementVoxelMask & 
   Threads::RunPieces(threads, rows, length, [&](std::size_t piece, std::size_t begin, std::size_t end) {
     for (std::size_t row = begin; row < end; ++row)
     {
-      m_FirstRuns[row] = CountRuns(wordsOf(row), mask.GetWordsPerRow());
+      m_FirstRuns[row] = CountRuns(wordsOf(row), changesOf(row), mask.GetWordsPerRow());
       firstOfPieces[piece + 1] += m_FirstRuns[row];
     }
   });
@@ -147,12 +186,17 @@ DelaunayRefinementVoxelComponents::FindRuns(const DelaunayRefinementVoxelMask & 
     {
       const std::size_t     endOfRow = next + m_FirstRuns[row];
       const std::uint64_t * words = wordsOf(row);
-      const std::int32_t    endOfBits = m_Size[0] + 1;
+      const std::uint64_t * changesHere = changesOf(row);
+      const auto            inside = [words](std::int32_t word) { return words[word]; };
+      const auto            ends = [words, changesHere](std::int32_t word) {
+        return changesHere == nullptr ? ~words[word] : ~words[word] | changesHere[word];
+      };
+      const std::int32_t endOfBits = m_Size[0] + 1;
       m_FirstRuns[row] = next;
       for (std::int32_t bit = 1; next < endOfRow; ++next)
       {
-        const std::int32_t first = FindBit(words, bit, endOfBits, true);
-        bit = FindBit(words, first, endOfBits, false);
+        const std::int32_t first = FindBit(inside, bit, endOfBits);
+        bit = FindBit(ends, first + 1, endOfBits);
         m_Runs[next] = { first - 1, bit - 2, static_cast<ComponentType>(next) };
       }
     }
@@ -171,6 +215,24 @@ DelaunayRefinementVoxelComponents::FindRoot(ComponentType run)
 }
 
 void
+DelaunayRefinementVoxelComponents::JoinRuns(std::size_t i, std::size_t j, std::int32_t reach)
+{
+  RunType & a = m_Runs[i];
+  RunType & b = m_Runs[j];
+  if (a.component != b.component && a.first <= b.last + reach && b.first <= a.last + reach &&
+      (m_Regions.empty() || m_Regions[i] == m_Regions[j]))
+  {
+    const ComponentType rootA = this->FindRoot(static_cast<ComponentType>(i));
+    const ComponentType rootB = this->FindRoot(static_cast<ComponentType>(j));
+    const ComponentType root = std::min(rootA, rootB);
+    m_Runs[std::max(rootA, rootB)].component = root;
+    // A shorter way for the next rows.
+    a.component = root;
+    b.component = root;
+  }
+}
+
+void
 DelaunayRefinementVoxelComponents::JoinRows(std::size_t row, std::size_t other, std::int32_t reach)
 {
   std::size_t       i = m_FirstRuns[row];
@@ -179,26 +241,18 @@ DelaunayRefinementVoxelComponents::JoinRows(std::size_t row, std::size_t other, 
   const std::size_t endJ = m_FirstRuns[other + 1];
   while (i < endI && j < endJ)
   {
-    RunType & a = m_Runs[i];
-    RunType & b = m_Runs[j];
-    if (a.component != b.component && a.first <= b.last + reach && b.first <= a.last + reach)
-    {
-      const ComponentType rootA = this->FindRoot(static_cast<ComponentType>(i));
-      const ComponentType rootB = this->FindRoot(static_cast<ComponentType>(j));
-      const ComponentType root = std::min(rootA, rootB);
-      m_Runs[std::max(rootA, rootB)].component = root;
-      // A shorter way for the next rows.
-      a.component = root;
-      b.component = root;
-    }
-    if (a.last < b.last)
+    this->JoinRuns(i, j, reach);
+    if (m_Runs[i].last < m_Runs[j].last)
     {
       ++i;
+      continue;
     }
-    else
+    // Runs of different regions follow each other without a gap: the next one may reach this one, too.
+    if (m_Runs[i].last == m_Runs[j].last && i + 1 < endI)
     {
-      ++j;
+      this->JoinRuns(i + 1, j, reach);
     }
+    ++j;
   }
 }
 
@@ -254,7 +308,7 @@ DelaunayRefinementVoxelComponents::NumberComponents()
     m_Runs[i].component = before == i ? next++ : m_Runs[before].component;
   }
   constexpr std::int32_t largest = std::numeric_limits<std::int32_t>::max();
-  m_Components.assign(next, { 0, {}, { largest, largest, largest }, { -1, -1, -1 } });
+  m_Components.assign(next, { 0, {}, { largest, largest, largest }, { -1, -1, -1 }, 1 });
 }
 
 void
@@ -273,6 +327,7 @@ DelaunayRefinementVoxelComponents::Summarize(std::size_t                      be
       if (info.numberOfVoxels == 0)
       {
         info.firstVoxel = { run.first, y, z };
+        info.region = m_Regions.empty() ? 1 : m_Regions[i];
         info.minimum[2] = z;
       }
       info.numberOfVoxels += static_cast<std::size_t>(run.last - run.first + 1);
@@ -314,6 +369,10 @@ DelaunayRefinementVoxelComponents::Remove(const std::vector<bool> & isRemoved, D
         }
         else
         {
+          if (!m_Regions.empty())
+          {
+            m_Regions[kept] = m_Regions[i];
+          }
           m_Runs[kept++] = { run.first, run.last, numbers[run.component] };
         }
       }
@@ -321,6 +380,7 @@ DelaunayRefinementVoxelComponents::Remove(const std::vector<bool> & isRemoved, D
   }
   m_FirstRuns[row] = kept;
   m_Runs.resize(kept);
+  m_Regions.resize(m_Regions.empty() ? 0 : kept);
 }
 
 DelaunayRefinementVoxelComponents::ComponentType

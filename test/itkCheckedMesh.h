@@ -23,7 +23,8 @@
 namespace itk::DelaunayRefinementTest
 {
 /** \class CheckedMesh
- * \brief A mesh as the checks see it: points, tetrahedra and the triangles that are said to be its boundary.
+ * \brief A mesh as the checks see it: points, tetrahedra and the triangles that are said to be its boundary and the
+ * interfaces between labels.
  */
 struct CheckedMesh
 {
@@ -34,6 +35,9 @@ struct CheckedMesh
   /** Cell data, where the mesh has them. */
   std::vector<double> tetrahedronLabels{};
   std::vector<double> triangleLabels{};
+
+  /** Of the two labels that a triangle parts, the smaller one. */
+  std::vector<double> triangleOtherLabels{};
 };
 
 inline CheckedMesh
@@ -44,7 +48,11 @@ MakeCheckedMesh(const DelaunayRefinementResult & result)
   mesh.tetrahedra.assign(result.tetrahedra.begin(), result.tetrahedra.end());
   mesh.triangles.assign(result.boundaryTriangles.begin(), result.boundaryTriangles.end());
   mesh.tetrahedronLabels.assign(result.regions.begin(), result.regions.end());
-  mesh.triangleLabels.assign(result.boundaryRegions.begin(), result.boundaryRegions.end());
+  for (const auto & regions : result.boundaryRegions)
+  {
+    mesh.triangleLabels.push_back(regions[0]);
+    mesh.triangleOtherLabels.push_back(regions[1]);
+  }
   return mesh;
 }
 } // end namespace itk::DelaunayRefinementTest

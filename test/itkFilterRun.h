@@ -46,7 +46,10 @@ template <typename TFilter>
 CheckedMesh
 GetMesh(TFilter * filter)
 {
-  return MakeCheckedMesh(*filter->GetOutput(), *filter->GetBoundaryOutput());
+  CheckedMesh  mesh = MakeCheckedMesh(*filter->GetOutput(), *filter->GetBoundaryOutput());
+  const auto & others = filter->GetBoundaryOtherLabels()->CastToSTLConstContainer();
+  mesh.triangleOtherLabels.assign(others.begin(), others.end());
+  return mesh;
 }
 
 /** Updates the filter; the text of the exception if there is one, else empty. */

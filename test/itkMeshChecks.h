@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <set>
 #include <tuple>
 
@@ -93,15 +94,27 @@ ForEachFace(const std::vector<TetrahedronFace> & faces, TFunction && function)
   }
 }
 
-/** The faces of exactly one tetrahedron, counterclockwise as seen from outside. */
+/** The label of the tetrahedron that has a face; the same for all of a mesh without cell data. */
+inline double
+GetLabel(const CheckedMesh & mesh, const TetrahedronFace & face)
+{
+  return mesh.tetrahedronLabels.size() == mesh.tetrahedra.size() ? mesh.tetrahedronLabels[face.tetrahedron] : 1.0;
+}
+
+/** The faces of exactly one tetrahedron, and those of two with different labels, counterclockwise as seen from outside
+ * or from the smaller label. */
 inline std::vector<std::array<std::uint32_t, 3>>
 ComputeBoundaryTriangles(const CheckedMesh & mesh)
 {
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  ForEachFace(ComputeFaces(mesh), [&triangles](auto first, auto last) {
+  ForEachFace(ComputeFaces(mesh), [&mesh, &triangles](auto first, auto last) {
     if (last - first == 1)
     {
       triangles.push_back(first->vertices);
+    }
+    else if (last - first == 2 && GetLabel(mesh, *first) != GetLabel(mesh, *(first + 1)))
+    {
+      triangles.push_back((GetLabel(mesh, *first) > GetLabel(mesh, *(first + 1)) ? first : first + 1)->vertices);
     }
   });
   return triangles;
@@ -219,8 +232,30 @@ CountFoldedFaces(const CheckedMesh & mesh)
   return count;
 }
 
-/** Faces of exactly one tetrahedron that are not among the triangles, and triangles that are no such faces; one that
- * looks inward counts as both. */
+/** Triangles whose labels are not those of the tetrahedra on their two sides, the larger one first. Outside is 0. */
+inline std::size_t
+CountTriangleLabelMismatches(const CheckedMesh & mesh)
+{
+  using PairType = std::array<double, 2>;
+  std::map<std::array<std::uint32_t, 3>, PairType> expected;
+  ForEachFace(ComputeFaces(mesh), [&](auto first, auto last) {
+    const double one = GetLabel(mesh, *first);
+    const double other = last - first == 1 ? 0.0 : GetLabel(mesh, *(first + 1));
+    expected[first->sortedVertices] = { std::max(one, other), std::min(one, other) };
+  });
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+  {
+    const auto found = expected.find(MakeSorted(mesh.triangles[i]));
+    count += found == expected.end() || found->second != PairType{ mesh.triangleLabels[i], mesh.triangleOtherLabels[i] }
+               ? 1
+               : 0;
+  }
+  return count;
+}
+
+/** Faces of exactly one tetrahedron, or of two with different labels, that are not among the triangles, and triangles
+ * that are no such faces; one that looks inward counts as both. */
 inline std::size_t
 CountBoundaryMismatches(const CheckedMesh & mesh)
 {

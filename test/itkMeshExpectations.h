@@ -32,7 +32,7 @@ constexpr double MinimumPlanarAngle = 30.0;
 /** Tetrahedra are no flatter than this part of their longest edge cubed. */
 constexpr double MinimumRelativeVolume = 1e-11;
 
-/** The tetrahedra fill a part of space once, and the triangles are its boundary. */
+/** The tetrahedra fill a part of space once, and the triangles are its boundary and the interfaces between labels. */
 inline void
 ExpectValidMesh(const CheckedMesh & mesh)
 {
@@ -47,6 +47,13 @@ ExpectValidMesh(const CheckedMesh & mesh)
   EXPECT_EQ(CountOversharedFaces(mesh), 0u);
   EXPECT_EQ(CountFoldedFaces(mesh), 0u);
   EXPECT_EQ(CountBoundaryMismatches(mesh), 0u);
+  if (!mesh.triangleOtherLabels.empty())
+  {
+    ASSERT_EQ(mesh.tetrahedronLabels.size(), mesh.tetrahedra.size());
+    ASSERT_EQ(mesh.triangleLabels.size(), mesh.triangles.size());
+    ASSERT_EQ(mesh.triangleOtherLabels.size(), mesh.triangles.size());
+    EXPECT_EQ(CountTriangleLabelMismatches(mesh), 0u);
+  }
   EXPECT_EQ(CountDelaunayViolations(mesh), 0u);
 }
 

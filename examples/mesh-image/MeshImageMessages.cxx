@@ -56,6 +56,7 @@ InWordsOfOptions(const std::string & message)
     { std::regex(R"(\bLargestComponentOnly\b)"), "--largest-component" },
     { std::regex(R"(\bMinimumComponentSize\b)"), "--min-component" },
     { std::regex(R"(\bInterpolator\b)"), "--interpolator" },
+    { std::regex(R"(\bStrict\b)"), "--strict" },
     { std::regex(R"(\bNumberOfWorkUnits\b)"), "--threads" }
   };
   std::string translated = message;

@@ -55,7 +55,10 @@ AddObjectOptions(CLI::App & app, Options & options)
     ->type_name("LOWER[,UPPER]")
     ->group(group);
   AddValue(app, "--labels", "A,B,...", options.labels, ParseLabels, "only these labels")->group(group);
-  app.add_flag("--merge-labels", options.mergeLabels, "several labels as one object")->group(group);
+  app
+    .add_flag(
+      "--merge-labels", options.mergeLabels, "several labels as one object; default: as tissues that share interfaces")
+    ->group(group);
 }
 
 void
@@ -109,6 +112,7 @@ AddRemainingOptions(CLI::App & app, Options & options)
            ParseCount,
            "leave smaller components out; default 1: none")
     ->group(keep);
+  app.add_flag("--strict", options.strict, "fail if a label or a component is missing in the mesh")->group(keep);
 
   AddValue(app,
            "--interpolator",
@@ -121,7 +125,7 @@ AddRemainingOptions(CLI::App & app, Options & options)
            "FILE",
            options.surface,
            ParseSurfaceName,
-           "also write the boundary triangles: .vtp, .vtk, .stl or .ply");
+           "also write boundary and interface triangles: .vtp, .vtk, .stl or .ply");
   app.add_option("--report", options.report, "also write counts, times and quality as JSON")->type_name("FILE");
   AddValue(app, "--threads", "N", options.threads, ParseCount, "threads to use; default: all cores");
   app.add_flag("--quiet", options.quiet, "no progress bar, no report on standard output");

@@ -56,6 +56,7 @@ struct Options
 
   bool                         largestComponent{ false };
   std::optional<std::uint64_t> minimumComponentSize;
+  bool                         strict{ false };
 
   Interpolator  interpolator{ Interpolator::Linear };
   std::string   surface;

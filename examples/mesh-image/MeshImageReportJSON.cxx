@@ -53,15 +53,17 @@ Parameters(const Options & options)
            { "max_vertices", OrNull(options.maximumNumberOfVertices) },
            { "largest_component", options.largestComponent },
            { "min_component", OrNull(options.minimumComponentSize) },
+           { "strict", options.strict },
            { "interpolator", interpolators[static_cast<int>(options.interpolator)] },
            { "threads", options.threads } };
 }
 
-/** Which of the phases were shared by threads; insertion is one after the other. */
+/** Which of the phases were shared by threads. */
 Json
 ParallelPhases(const Options & options)
 {
-  return options.threads > 1 ? Json{ "preparation", "sampling", "refinement", "extraction", "copy" } : Json::array();
+  return options.threads > 1 ? Json{ "preparation", "sampling", "insertion", "refinement", "extraction", "copy" }
+                             : Json::array();
 }
 
 Json
@@ -121,9 +123,12 @@ QualityFigures(const Quality & quality)
 }
 
 Json
-Describe(const itk::DelaunayRefinementComponent & component)
+Describe(const Run & run, const itk::DelaunayRefinementComponent & component)
 {
-  return { { "voxels", component.numberOfVoxels }, { "volume", component.volume }, { "place", component.firstVoxel } };
+  return { { "label", run.labels.at(component.region - 1) },
+           { "voxels", component.numberOfVoxels },
+           { "volume", component.volume },
+           { "place", component.firstVoxel } };
 }
 
 Json
@@ -132,7 +137,7 @@ MissingComponents(const Run & run)
   Json list = Json::array();
   for (const std::size_t number : run.statistics.missingComponents)
   {
-    list.push_back(Describe(run.components.at(number)));
+    list.push_back(Describe(run, run.components.at(number)));
   }
   return list;
 }
@@ -143,7 +148,7 @@ LoweredDeltas(const Run & run)
   Json list = Json::array();
   for (const auto & [number, delta] : run.statistics.loweredDeltas)
   {
-    Json entry = Describe(run.components.at(number));
+    Json entry = Describe(run, run.components.at(number));
     entry["delta"] = delta;
     list.push_back(entry);
   }
@@ -177,9 +182,10 @@ Compose(const Report & report)
            { "rules", Rules(run.statistics) },
            { "vertices", Vertices(run.statistics) },
            { "quality", QualityFigures(report.quality) },
+           { "labels", run.labels },
            { "components", run.components.size() },
            { "missing_components", MissingComponents(run) },
-           { "missing_labels", Json::array() },
+           { "missing_labels", run.missingLabels },
            { "lowered_deltas", LoweredDeltas(run) },
            { "warnings", run.warnings },
            { "termination", Name(run.statistics.terminationReason) } };

@@ -40,6 +40,8 @@ struct Run
   double                                        delta{ 0.0 };
   itk::DelaunayRefinementStatistics             statistics;
   std::vector<itk::DelaunayRefinementComponent> components;
+  std::vector<std::uint64_t>                    labels;
+  std::vector<std::uint64_t>                    missingLabels;
   std::vector<std::string>                      warnings;
 
   double readingSeconds{ 0.0 };

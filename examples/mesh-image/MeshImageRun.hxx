@@ -104,6 +104,7 @@ SetObject(TFilter & filter, const Options & options)
   {
     filter.SetMinimumComponentSize(*options.minimumComponentSize);
   }
+  filter.SetStrict(options.strict);
 }
 
 template <typename TFilter>
@@ -191,6 +192,8 @@ RunFilterOnPixels(const Options & options, itk::ImageIOBase * io, const Progress
   run.delta = filter->GetEffectiveDelta();
   run.statistics = filter->GetStatistics();
   run.components = filter->GetComponents();
+  run.labels.assign(filter->GetRegionLabels().begin(), filter->GetRegionLabels().end());
+  run.missingLabels.assign(filter->GetMissingLabels().begin(), filter->GetMissingLabels().end());
   for (const std::string & warning : filter->GetWarnings())
   {
     run.warnings.push_back(InWordsOfOptions(warning));

@@ -41,11 +41,11 @@ def test_bad_image(values, sentence):
         itk.delaunay_refinement_mesh_filter(make_image(values), delta=2.0)
 
 
-def test_several_labels():
+def test_wrong_label():
     values = np.ones((8, 8, 8), np.uint8)
     values[:4] = 2
-    with pytest.raises(RuntimeError, match="2 labels: 1, 2; choose one by Labels, or set MergeLabels"):
-        itk.delaunay_refinement_mesh_filter(make_image(values), delta=2.0)
+    with pytest.raises(RuntimeError, match="No voxel has the label 3 of Labels; the image has 2 labels: 1, 2"):
+        itk.delaunay_refinement_mesh_filter(make_image(values), delta=2.0, labels=[1, 3])
 
 
 def test_origin_too_far_for_float():
