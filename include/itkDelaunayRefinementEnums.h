@@ -47,7 +47,8 @@ public:
 
   /** \class RefinementRule
    * \brief Why a vertex was inserted (paper, section III; R4_PRIME: section VI-B). CELL_SIZE is the user's bound on
-   * circumradii, SHAPE replaces a vertex of a tetrahedron too flat to be stored. */
+   * circumradii, SHAPE replaces a vertex of a tetrahedron too flat to be stored, JUNCTION puts vertices on lines where
+   * three regions meet. */
   enum class RefinementRule : uint8_t
   {
     R1,
@@ -56,11 +57,12 @@ public:
     R4,
     R4_PRIME,
     CELL_SIZE,
-    SHAPE
+    SHAPE,
+    JUNCTION
   };
 
   /** Length of lists by RefinementRule. */
-  static constexpr unsigned int NumberOfRefinementRules = 7;
+  static constexpr unsigned int NumberOfRefinementRules = 8;
 
   /** \class EncroachmentCase
    * \brief How a circumcenter on or outside the box was replaced (paper, section III, E1 to E3). */

@@ -66,6 +66,9 @@ public:
     FIELD
   };
 
+  /** Patches of level 0 are bricks of cells, those of this level single cells. */
+  static constexpr std::uint8_t CellLevel = 2;
+
   /** Where the voxels' centers are: origin + x * axes[0] + y * axes[1] + z * axes[2]. */
   struct FrameType
   {
@@ -103,6 +106,12 @@ public:
 
   bool
   FindPointOfPatch(const SurfacePatchIdentifier & patch, PointType & point) const override;
+
+  SurfacePatches
+  GetJunctionPatches() const override;
+
+  bool
+  FindJunctionInPatch(const SurfacePatchIdentifier & patch, PointType & point) const override;
 
   ComponentType
   GetNumberOfComponents() const override;

@@ -24,6 +24,7 @@
 #include "itkImageToMeshFilter.h"
 #include "itkInterpolateImageFunction.h"
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -133,6 +134,18 @@ public:
   itkGetConstMacro(Delta, double);
   void
   UnsetDelta();
+  /** @ITKEndGrouping */
+
+  /** Delta for the surface of one label, its interfaces with others included, in physical units (mm); the smaller one
+   * of two labels' deltas holds where they meet. Delta holds for all other labels. Positive and finite, else Update()
+   * throws, as it does if the label is not meshed. Elements grow gradually between a small and a large delta. */
+  /** @ITKStartGrouping */
+  void
+  SetLabelDelta(InputPixelType label, double delta);
+  double
+  GetLabelDelta(InputPixelType label) const;
+  void
+  UnsetLabelDeltas();
   /** @ITKEndGrouping */
 
   /** Upper bound on the ratio of circumradius to shortest edge of every tetrahedron, a number without unit: the paper's
@@ -313,6 +326,10 @@ private:
   void
   RenumberComponents(const std::vector<std::uint32_t> & kept, const DelaunayRefinementParameters & parameters);
 
+  /** The delta that the user wishes for a component. */
+  double
+  GetDeltaOf(const DelaunayRefinementComponent & component) const;
+
   unsigned int
   ComputeNumberOfThreads();
 
@@ -383,6 +400,7 @@ private:
 
   double                             m_Delta{ 0.0 };
   bool                               m_DeltaIsSet{ false };
+  std::map<InputPixelType, double>   m_LabelDeltas{};
   double                             m_RadiusEdgeRatioBound{ 2.0 };
   double                             m_CellSize{ std::numeric_limits<double>::infinity() };
   double                             m_MinimumDihedralAngle{ 0.0 };

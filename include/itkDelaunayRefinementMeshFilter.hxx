@@ -76,6 +76,37 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::UnsetDelta()
 
 template <typename TInputImage, typename TOutputMesh>
 void
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::SetLabelDelta(InputPixelType label, double delta)
+{
+  const auto place = m_LabelDeltas.find(label);
+  if (place == m_LabelDeltas.end() || place->second != delta)
+  {
+    m_LabelDeltas[label] = delta;
+    this->Modified();
+  }
+}
+
+template <typename TInputImage, typename TOutputMesh>
+double
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::GetLabelDelta(InputPixelType label) const
+{
+  const auto place = m_LabelDeltas.find(label);
+  return place != m_LabelDeltas.end() ? place->second : m_Delta;
+}
+
+template <typename TInputImage, typename TOutputMesh>
+void
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::UnsetLabelDeltas()
+{
+  if (!m_LabelDeltas.empty())
+  {
+    m_LabelDeltas.clear();
+    this->Modified();
+  }
+}
+
+template <typename TInputImage, typename TOutputMesh>
+void
 DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::SetIsoValue(double value)
 {
   if (!m_IsoValueIsSet || m_IsoValue != value)
@@ -176,7 +207,12 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::GenerateData()
     this->ThrowIfAborted();
     this->VerifyObject(image, oracle);
     m_EffectiveDelta = m_DeltaIsSet ? m_Delta : oracle.ComputeDefaultDelta();
-    m_Components = oracle.ComputeComponents(m_EffectiveDelta);
+    double largestDelta = m_EffectiveDelta;
+    for (const auto & labelDelta : m_LabelDeltas)
+    {
+      largestDelta = std::max(largestDelta, labelDelta.second);
+    }
+    m_Components = oracle.ComputeComponents(largestDelta);
     const std::vector<std::uint32_t>   kept = this->LeaveOutNegligibleComponents(oracle);
     const DelaunayRefinementParameters parameters = this->MakeParameters(oracle, kept);
     this->VerifyPrecision(oracle, parameters);
@@ -221,7 +257,7 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::LeaveOutNegligibleCompon
     {
       withVolume.push_back(i);
       // Small ones of several labels may have others around them, and leave no hole there.
-      if (m_RegionLabels.size() > 1 || !oracle.IsNegligible(m_Components[i], m_EffectiveDelta))
+      if (m_RegionLabels.size() > 1 || !oracle.IsNegligible(m_Components[i], this->GetDeltaOf(m_Components[i])))
       {
         kept.push_back(i);
       }
@@ -281,11 +317,19 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::RenumberComponents(
   m_Statistics.loweredDeltas.clear();
   for (std::size_t i = 0; i < kept.size(); ++i)
   {
-    if (deltas[i] < m_EffectiveDelta)
+    if (deltas[i] < this->GetDeltaOf(m_Components[kept[i]]))
     {
       m_Statistics.loweredDeltas.emplace_back(kept[i], deltas[i]);
     }
   }
+}
+
+template <typename TInputImage, typename TOutputMesh>
+double
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::GetDeltaOf(const DelaunayRefinementComponent & component) const
+{
+  const auto place = m_LabelDeltas.find(m_RegionLabels[component.region - 1]);
+  return place != m_LabelDeltas.end() ? place->second : m_EffectiveDelta;
 }
 
 template <typename TInputImage, typename TOutputMesh>
@@ -314,11 +358,12 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::MakeParameters(const Del
   };
   for (const std::uint32_t component : kept)
   {
-    const bool isDispensable = oracle.IsNegligible(m_Components[component], m_EffectiveDelta);
+    const double delta = this->GetDeltaOf(m_Components[component]);
+    const bool   isDispensable = oracle.IsNegligible(m_Components[component], delta);
     parameters.isDispensable.push_back(isDispensable);
     parameters.componentDelta.push_back(isDispensable && m_RegionLabels.size() > 1
-                                          ? m_EffectiveDelta
-                                          : oracle.ComputeComponentDelta(m_Components[component], m_EffectiveDelta));
+                                          ? delta
+                                          : oracle.ComputeComponentDelta(m_Components[component], delta));
   }
   // No component needs more; a box that is far too large for the object would cost precision.
   parameters.delta = *std::max_element(parameters.componentDelta.begin(), parameters.componentDelta.end());
@@ -451,6 +496,12 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::PrintSelf(std::ostream &
   const auto onOff = [](bool value) { return value ? "On" : "Off"; };
   os << indent << "Delta: " << m_Delta << '\n';
   os << indent << "DeltaIsSet: " << onOff(m_DeltaIsSet) << '\n';
+  os << indent << "LabelDeltas:";
+  for (const auto & labelDelta : m_LabelDeltas)
+  {
+    os << ' ' << static_cast<PrintType>(labelDelta.first) << ": " << labelDelta.second;
+  }
+  os << '\n';
   os << indent << "RadiusEdgeRatioBound: " << m_RadiusEdgeRatioBound << '\n';
   os << indent << "CellSize: " << m_CellSize << '\n';
   os << indent << "MinimumDihedralAngle: " << m_MinimumDihedralAngle << '\n';

@@ -45,6 +45,15 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::VerifyPreconditions() IT
   {
     itkExceptionMacro("Delta is " << m_Delta << "; it must be a positive, finite length");
   }
+  for (const auto & labelDelta : m_LabelDeltas)
+  {
+    if (!isPositive(labelDelta.second))
+    {
+      itkExceptionMacro("LabelDelta of the label "
+                        << static_cast<typename NumericTraits<InputPixelType>::PrintType>(labelDelta.first) << " is "
+                        << labelDelta.second << "; it must be a positive, finite length");
+    }
+  }
   if (!(std::isfinite(m_RadiusEdgeRatioBound) && m_RadiusEdgeRatioBound >= 1.0))
   {
     itkExceptionMacro("RadiusEdgeRatioBound is " << m_RadiusEdgeRatioBound << "; it must be finite and at least 1");
@@ -341,6 +350,15 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::VerifyLabels() const
       itkExceptionMacro("The mesh's type of cell data can't hold the label "
                         << static_cast<typename NumericTraits<InputPixelType>::PrintType>(label)
                         << "; use a mesh with larger integers for cell data");
+    }
+  }
+  for (const auto & labelDelta : m_LabelDeltas)
+  {
+    if (!std::binary_search(m_RegionLabels.begin(), m_RegionLabels.end(), labelDelta.first))
+    {
+      itkExceptionMacro("LabelDelta is set for the label "
+                        << static_cast<typename NumericTraits<InputPixelType>::PrintType>(labelDelta.first)
+                        << ", which is not meshed; there are " << this->DescribeLabels(m_RegionLabels));
     }
   }
   const std::string interpolator = m_Interpolator.IsNull() ? "" : m_Interpolator->GetNameOfClass();

@@ -99,6 +99,15 @@ public:
   virtual bool
   FindPointOfPatch(const SurfacePatchIdentifier & patch, PointType & point) const = 0;
 
+  /** Patches that together cover the lines where three regions or more meet, outside counted; parts of them, by
+   * SplitSurfacePatch(), do so, too. Default: none. */
+  virtual SurfacePatches
+  GetJunctionPatches() const;
+
+  /** Finds a point of the surface very near to such a line in a patch; false if there seems to be none. */
+  virtual bool
+  FindJunctionInPatch(const SurfacePatchIdentifier & patch, PointType & point) const;
+
   /** Number of components of the object: at least 1 unless it is empty. */
   virtual ComponentType
   GetNumberOfComponents() const = 0;

@@ -23,6 +23,7 @@
 #include "itkDelaunayRefinementComplex.h"
 #include "itkDelaunayRefinementEncroachment.h"
 #include "itkDelaunayRefinementExtraction.h"
+#include "itkDelaunayRefinementJunctionSample.h"
 #include "itkDelaunayRefinementMissingComponents.h"
 #include "itkDelaunayRefinementLocalDelta.h"
 #include "itkDelaunayRefinementQueue.h"
@@ -252,8 +253,15 @@ DelaunayRefinementEngine::Impl::RunAllPhases()
     return m_Reason;
   }
   m_Sample = std::make_unique<DelaunayRefinementSurfaceSample>(m_Oracle, m_LocalDelta, m_Parameters.roundToFloat);
-  std::vector<PointType> seeds;
-  const bool             isSampled = m_Sample->Certify(seeds, m_Threads, [this] { return this->KeepGoing(); });
+  const auto             keepGoing = [this] { return this->KeepGoing(); };
+  std::vector<PointType> seeds =
+    SampleDelaunayRefinementJunctions(m_Oracle, m_LocalDelta, m_Parameters.roundToFloat, keepGoing);
+  const std::size_t numberOfJunctions = seeds.size();
+  for (const PointType & seed : seeds)
+  {
+    m_Sample->Add(seed);
+  }
+  const bool isSampled = this->KeepGoing() && m_Sample->Certify(seeds, m_Threads, keepGoing);
   m_Statistics.samplingSeconds = SecondsSince(start);
   if (!isSampled)
   {
@@ -267,6 +275,9 @@ DelaunayRefinementEngine::Impl::RunAllPhases()
   {
     return TerminationReason::VERTEX_LIMIT;
   }
+
+  m_Statistics.insertions[static_cast<std::size_t>(RefinementRule::JUNCTION)] = numberOfJunctions;
+  m_Statistics.insertions[static_cast<std::size_t>(RefinementRule::R1)] = seeds.size() - numberOfJunctions;
 
   start = Clock::now();
   const bool isStarted = this->StartComplex(seeds);
@@ -326,7 +337,6 @@ DelaunayRefinementEngine::Impl::StartComplex(const std::vector<PointType> & seed
   m_Rules = std::make_unique<DelaunayRefinementRules>(m_Oracle, m_Parameters, *m_Complex, m_LocalDelta, *m_Sample);
   m_Encroachment = std::make_unique<DelaunayRefinementEncroachment>(*m_Complex);
   m_Circumcenters = std::make_unique<DelaunayRefinementCircumcenters>(*m_Complex, *m_Rules, m_Threads);
-  m_Statistics.insertions[static_cast<std::size_t>(RefinementRule::R1)] = seeds.size();
   if (!m_Complex->Start(seeds, deltas, m_Threads, [this] { return this->KeepGoing(); }))
   {
     // Half a triangulation is none.

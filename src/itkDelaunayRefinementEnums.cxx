@@ -59,6 +59,8 @@ operator<<(std::ostream & out, const DelaunayRefinementEnums::RefinementRule val
         return "itk::DelaunayRefinementEnums::RefinementRule::CELL_SIZE";
       case DelaunayRefinementEnums::RefinementRule::SHAPE:
         return "itk::DelaunayRefinementEnums::RefinementRule::SHAPE";
+      case DelaunayRefinementEnums::RefinementRule::JUNCTION:
+        return "itk::DelaunayRefinementEnums::RefinementRule::JUNCTION";
       default:
         return "INVALID VALUE FOR itk::DelaunayRefinementEnums::RefinementRule";
     }

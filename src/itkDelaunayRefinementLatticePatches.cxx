@@ -29,35 +29,10 @@ namespace
 using Geometry = DelaunayRefinementGeometry;
 using PointType = DelaunayRefinementPoint;
 
-/** Patches of level 0 are bricks, those of this level single cells. */
-constexpr unsigned int CellLevel = 2;
-
 /** The eighths of 4 x 4 x 4 cubes. */
 constexpr std::uint64_t LowestEighth = 0x0000000000330033u;
 constexpr std::uint64_t Eighths[8] = { LowestEighth,       LowestEighth << 2,  LowestEighth << 8,  LowestEighth << 10,
                                        LowestEighth << 32, LowestEighth << 34, LowestEighth << 40, LowestEighth << 42 };
-
-/** A cube within a cell. */
-struct PlaceType
-{
-  std::array<std::int32_t, 3> cell;
-  PointType                   corner;
-  double                      size;
-};
-
-PlaceType
-ToPlace(const DelaunayRefinementOracle::SurfacePatchIdentifier & patch)
-{
-  const unsigned int shift = patch.level - CellLevel;
-  PlaceType          place;
-  place.size = 1.0 / static_cast<double>(std::uint64_t{ 1 } << shift);
-  for (unsigned int i = 0; i < 3; ++i)
-  {
-    place.cell[i] = patch.index[i] >> shift;
-    place.corner[i] = patch.index[i] * place.size - place.cell[i];
-  }
-  return place;
-}
 
 PointType
 ToPoint(const std::array<std::int32_t, 3> & index, double scale)
@@ -131,7 +106,7 @@ DelaunayRefinementLatticeOracle::SplitSurfacePatch(const SurfacePatchIdentifier 
     this->SplitCell(patch, parts);
     return;
   }
-  const PlaceType    place = ToPlace(patch);
+  const DelaunayRefinementPlace place = FindDelaunayRefinementPlace(patch);
   const unsigned int configuration = patch.level == CellLevel + 1 ? this->GetIndicatorConfiguration(place.cell) : 0;
   const unsigned int octants =
     configuration != 0 ? GatherOctants(DelaunayRefinementIndicatorCell::Get(configuration).quarters, patch.index)
@@ -295,7 +270,7 @@ bool
 DelaunayRefinementLatticeOracle::FindPointOfPatch(const SurfacePatchIdentifier & patch, PointType & point) const
 {
   const PointType random = Scatter(patch.index, patch.level);
-  const auto      findIn = [&](const PlaceType & place) {
+  const auto      findIn = [&](const DelaunayRefinementPlace & place) {
     const PointType start{ place.corner[0] + random[0] * place.size,
                            place.corner[1] + random[1] * place.size,
                            place.corner[2] + random[2] * place.size };
@@ -311,7 +286,7 @@ DelaunayRefinementLatticeOracle::FindPointOfPatch(const SurfacePatchIdentifier &
   };
   if (patch.level >= CellLevel)
   {
-    return findIn(ToPlace(patch));
+    return findIn(FindDelaunayRefinementPlace(patch));
   }
 
   // Some cell of those with surface; the others if a field has none there.

@@ -34,6 +34,29 @@ ToLocal(const DelaunayRefinementPoint & lattice, const std::array<std::int32_t, 
   return { lattice[0] - cell[0], lattice[1] - cell[1], lattice[2] - cell[2] };
 }
 
+/** A cube within a cell. */
+struct DelaunayRefinementPlace
+{
+  std::array<std::int32_t, 3> cell;
+  DelaunayRefinementPoint     corner;
+  double                      size;
+};
+
+/** Where a patch of a level from CellLevel is. */
+inline DelaunayRefinementPlace
+FindDelaunayRefinementPlace(const DelaunayRefinementOracle::SurfacePatchIdentifier & patch)
+{
+  const unsigned int      shift = patch.level - DelaunayRefinementLatticeOracle::CellLevel;
+  DelaunayRefinementPlace place;
+  place.size = 1.0 / static_cast<double>(std::uint64_t{ 1 } << shift);
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    place.cell[i] = patch.index[i] >> shift;
+    place.corner[i] = patch.index[i] * place.size - place.cell[i];
+  }
+  return place;
+}
+
 /** The cells of a mask's interpolated indicator, by configuration, with the quarters that may hold surface. */
 struct DelaunayRefinementIndicatorCell
 {

@@ -28,6 +28,18 @@ DelaunayRefinementOracle::IsSurfaceWithin(const PointType & point, double distan
   return this->FindClosestSurfacePoint(point, distance, closest);
 }
 
+DelaunayRefinementOracle::SurfacePatches
+DelaunayRefinementOracle::GetJunctionPatches() const
+{
+  return SurfacePatches();
+}
+
+bool
+DelaunayRefinementOracle::FindJunctionInPatch(const SurfacePatchIdentifier &, PointType &) const
+{
+  return false;
+}
+
 std::vector<DelaunayRefinementOracle::ComponentType>
 DelaunayRefinementOracle::FindComponentsAt(const PointType & point) const
 {

@@ -48,6 +48,7 @@ InWordsOfOptions(const std::string & message)
     { std::regex(R"(\bIsoValue\b)"), "--iso-value" },
     { std::regex(R"(\bMergeLabels(On)?\b)"), "--merge-labels" },
     { std::regex(R"(\bLabels\b)"), "--labels" },
+    { std::regex(R"(\bLabelDelta\b)"), "--delta-for" },
     { std::regex(R"(\bDelta\b)"), "--delta" },
     { std::regex(R"(\bCellSize\b)"), "--cell-size" },
     { std::regex(R"(\bRadiusEdgeRatioBound\b)"), "--radius-edge-bound" },

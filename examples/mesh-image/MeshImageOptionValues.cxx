@@ -153,6 +153,18 @@ ParseLabels(const std::string & name, const std::string & text)
   return labels;
 }
 
+std::pair<std::uint64_t, double>
+ParseLabelDelta(const std::string & name, const std::string & text)
+{
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos)
+  {
+    Refuse(name, text, "LABEL=MM");
+  }
+  return { ParsePositiveInteger(name, text.substr(0, equals), "LABEL=MM with a positive whole number for LABEL"),
+           ParsePositive(name, text.substr(equals + 1)) };
+}
+
 void
 ParseThreshold(const std::string & name, const std::string & text, Options & options)
 {

@@ -36,6 +36,8 @@ std::uint64_t
 ParseCount(const std::string & name, const std::string & text);
 std::vector<std::uint64_t>
 ParseLabels(const std::string & name, const std::string & text);
+std::pair<std::uint64_t, double>
+ParseLabelDelta(const std::string & name, const std::string & text);
 void
 ParseThreshold(const std::string & name, const std::string & text, Options & options);
 Interpolator

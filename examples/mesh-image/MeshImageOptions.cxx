@@ -72,6 +72,19 @@ AddSizeOptions(CLI::App & app, Options & options)
            ParsePositive,
            "sampling density of the surface; chosen from the image if not given")
     ->group(group);
+  app
+    .add_option_function<std::vector<std::string>>(
+      "--delta-for",
+      [&options](const std::vector<std::string> & texts) {
+        for (const std::string & text : texts)
+        {
+          options.labelDeltas.push_back(ParseLabelDelta("--delta-for", text));
+        }
+      },
+      "another delta for a label; may be given several times")
+    ->type_name("LABEL=MM")
+    ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+    ->group(group);
   AddValue(
     app, "--cell-size", "MM", options.cellSize, ParsePositive, "upper bound on circumradii inside; default: none")
     ->group(group);

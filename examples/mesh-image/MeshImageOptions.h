@@ -24,6 +24,7 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace meshimage
@@ -47,12 +48,15 @@ struct Options
   std::vector<std::uint64_t> labels;
   bool                       mergeLabels{ false };
 
-  std::optional<double>        delta;
-  std::optional<double>        cellSize;
-  std::optional<double>        radiusEdgeBound;
-  std::optional<double>        minimumDihedralAngle;
-  bool                         refineOutside{ false };
-  std::optional<std::uint64_t> maximumNumberOfVertices;
+  std::optional<double> delta;
+  std::optional<double> cellSize;
+
+  /** Labels with a delta of their own. */
+  std::vector<std::pair<std::uint64_t, double>> labelDeltas;
+  std::optional<double>                         radiusEdgeBound;
+  std::optional<double>                         minimumDihedralAngle;
+  bool                                          refineOutside{ false };
+  std::optional<std::uint64_t>                  maximumNumberOfVertices;
 
   bool                         largestComponent{ false };
   std::optional<std::uint64_t> minimumComponentSize;

@@ -46,6 +46,7 @@ Parameters(const Options & options)
            { "labels", options.labels },
            { "merge_labels", options.mergeLabels },
            { "delta", OrNull(options.delta) },
+           { "delta_for", options.labelDeltas },
            { "cell_size", OrNull(options.cellSize) },
            { "radius_edge_bound", OrNull(options.radiusEdgeBound) },
            { "min_dihedral", OrNull(options.minimumDihedralAngle) },
@@ -93,7 +94,7 @@ Rules(const itk::DelaunayRefinementStatistics & statistics)
   return { { "R1", insertions(Rule::R1) },        { "R2", insertions(Rule::R2) },
            { "R3", insertions(Rule::R3) },        { "R4", insertions(Rule::R4) },
            { "R4'", insertions(Rule::R4_PRIME) }, { "cell_size", insertions(Rule::CELL_SIZE) },
-           { "shape", insertions(Rule::SHAPE) },  { "E1", encroachments(Case::E1) },
+           { "shape", insertions(Rule::SHAPE) }, { "junction", insertions(Rule::JUNCTION) },  { "E1", encroachments(Case::E1) },
            { "E2", encroachments(Case::E2) },     { "E3", encroachments(Case::E3) },
            { "removals", statistics.removals },   { "encroachment_removals", statistics.encroachmentRemovals } };
 }

@@ -56,26 +56,21 @@ ReadImage(const Options & options, itk::ImageIOBase * io)
   return image;
 }
 
+/** A label that an option names. */
 template <typename TPixel>
-std::vector<TPixel>
-LabelsAsPixels(const Options & options)
+TPixel
+ToPixel(std::uint64_t label, const std::string & option, const Options & options)
 {
-  std::vector<TPixel> labels;
-  for (const std::uint64_t label : options.labels)
+  if constexpr (std::is_integral_v<TPixel>)
   {
-    const auto pixel = static_cast<TPixel>(label);
-    if constexpr (std::is_integral_v<TPixel>)
+    if (label > static_cast<std::uint64_t>(std::numeric_limits<TPixel>::max()))
     {
-      if (label > static_cast<std::uint64_t>(std::numeric_limits<TPixel>::max()))
-      {
-        throw RunError("There is no label " + std::to_string(label) + " in " + options.image +
-                       ", whose pixel type ends at " + std::to_string(std::numeric_limits<TPixel>::max()) +
-                       ": choose other --labels");
-      }
+      throw RunError("There is no label " + std::to_string(label) + " in " + options.image +
+                     ", whose pixel type ends at " + std::to_string(std::numeric_limits<TPixel>::max()) +
+                     ": choose other labels for " + option);
     }
-    labels.push_back(pixel);
   }
-  return labels;
+  return static_cast<TPixel>(label);
 }
 
 template <typename TFilter>
@@ -96,7 +91,12 @@ SetObject(TFilter & filter, const Options & options)
   }
   if (!options.labels.empty())
   {
-    filter.SetLabels(LabelsAsPixels<typename TFilter::InputPixelType>(options));
+    typename TFilter::LabelsType labels;
+    for (const std::uint64_t label : options.labels)
+    {
+      labels.push_back(ToPixel<typename TFilter::InputPixelType>(label, "--labels", options));
+    }
+    filter.SetLabels(labels);
   }
   filter.SetMergeLabels(options.mergeLabels);
   filter.SetLargestComponentOnly(options.largestComponent);
@@ -114,6 +114,10 @@ SetSizes(TFilter & filter, const Options & options)
   if (options.delta)
   {
     filter.SetDelta(*options.delta);
+  }
+  for (const auto & [label, delta] : options.labelDeltas)
+  {
+    filter.SetLabelDelta(ToPixel<typename TFilter::InputPixelType>(label, "--delta-for", options), delta);
   }
   if (options.cellSize)
   {
