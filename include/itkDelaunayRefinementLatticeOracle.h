@@ -29,6 +29,8 @@
 namespace itk
 {
 class DelaunayRefinementBricks;
+class DelaunayRefinementRegionsCell;
+class DelaunayRefinementSmoothedRegions;
 
 /** \class DelaunayRefinementLatticeOracle
  * \brief An object sampled on a lattice of voxels in physical space; what lies between the voxels is up to a model.
@@ -108,10 +110,12 @@ public:
   FindPointOfPatch(const SurfacePatchIdentifier & patch, PointType & point) const override;
 
   SurfacePatches
-  GetJunctionPatches() const override;
+  GetJunctionPatches(unsigned int leastRegions) const override;
 
   bool
-  FindJunctionInPatch(const SurfacePatchIdentifier & patch, PointType & point) const override;
+  FindJunctionInPatch(const SurfacePatchIdentifier & patch,
+                      unsigned int                   leastRegions,
+                      PointType &                    point) const override;
 
   ComponentType
   GetNumberOfComponents() const override;
@@ -124,6 +128,14 @@ public:
 
   BoundsType
   GetComponentBounds(ComponentType component) const override;
+
+  /** For each component that was smoothed by less than the width that was asked for: what it was before, and its width
+   * (mm), 0 for none. */
+  const std::vector<std::pair<DelaunayRefinementComponent, double>> &
+  GetLoweredWidths() const
+  {
+    return m_LoweredWidths;
+  }
 
   /** Makes components outside; the others keep their order. */
   void
@@ -180,6 +192,11 @@ protected:
              DelaunayRefinementVoxelComponents                components,
              DelaunayRefinementThreads *                      threads = nullptr,
              std::unique_ptr<DelaunayRefinementRegionChanges> changes = nullptr);
+
+  /** INDICATOR: smooths the indicators of all regions by a Gaussian's standard deviation (mm), each component only as
+   * far as it keeps its voxels' number but for some hundredths. To be called once, after Initialize(). */
+  void
+  Smooth(double width);
 
   /** GREY: the value of a voxel minus the level; its sign need not agree with the mask, which prevails. May be called
    * on several threads at once. */
@@ -245,6 +262,21 @@ private:
                     double            end,
                     RegionType        region,
                     double &          share) const;
+
+  /** The region of a voxel of the mask, as it is now. */
+  RegionType
+  GetRegion(std::int32_t x, std::int32_t y, std::int32_t z) const;
+
+  /** The value of a voxel, as it is now, or of one of the outer layer. */
+  double
+  GetValue(std::int32_t x, std::int32_t y, std::int32_t z) const;
+
+  /** Mask, components and bricks follow what was smoothed. */
+  void
+  TakeSmoothedRegions();
+
+  DelaunayRefinementRegionsCell
+  MakeSmoothedCell(const IndexType & cell) const;
 
   /** The regions of a cell's corners. */
   std::array<RegionType, 8>
@@ -320,20 +352,22 @@ private:
   double
   ClimbToInscribedRadius(const IndexType & voxel, double enough) const;
 
-  ModelEnum                                          m_Model{ ModelEnum::INDICATOR };
-  bool                                               m_HasRegions{ false };
-  FrameType                                          m_Frame{};
-  PointType                                          m_LatticeOrigin{};
-  std::array<PointType, 3>                           m_InverseRows{};
-  std::array<PointType, 3>                           m_Gram{};
-  double                                             m_LeastStretch{ 1.0 };
-  std::vector<CellShapesType>                        m_CellShapes{};
-  std::array<std::array<float, 3>, 8>                m_CornerOffsets{};
-  std::unique_ptr<DelaunayRefinementVoxelMask>       m_Mask;
-  std::unique_ptr<DelaunayRefinementRegionChanges>   m_Changes;
-  std::unique_ptr<DelaunayRefinementVoxelComponents> m_Components;
-  std::unique_ptr<DelaunayRefinementBricks>          m_Bricks;
-  DelaunayRefinementThreads *                        m_Threads{ nullptr };
+  ModelEnum                                                   m_Model{ ModelEnum::INDICATOR };
+  bool                                                        m_HasRegions{ false };
+  FrameType                                                   m_Frame{};
+  PointType                                                   m_LatticeOrigin{};
+  std::array<PointType, 3>                                    m_InverseRows{};
+  std::array<PointType, 3>                                    m_Gram{};
+  double                                                      m_LeastStretch{ 1.0 };
+  std::vector<CellShapesType>                                 m_CellShapes{};
+  std::array<std::array<float, 3>, 8>                         m_CornerOffsets{};
+  std::unique_ptr<DelaunayRefinementVoxelMask>                m_Mask;
+  std::unique_ptr<DelaunayRefinementRegionChanges>            m_Changes;
+  std::unique_ptr<DelaunayRefinementVoxelComponents>          m_Components;
+  std::unique_ptr<DelaunayRefinementBricks>                   m_Bricks;
+  std::unique_ptr<DelaunayRefinementSmoothedRegions>          m_Smoothed;
+  std::vector<std::pair<DelaunayRefinementComponent, double>> m_LoweredWidths{};
+  DelaunayRefinementThreads *                                 m_Threads{ nullptr };
 };
 } // end namespace itk
 

@@ -107,6 +107,9 @@ public:
   /** A list of pixel values. */
   using LabelsType = std::vector<InputPixelType>;
 
+  /** Components with widths (mm). */
+  using LoweredSmoothingsType = std::vector<std::pair<DelaunayRefinementComponent, double>>;
+
   /** Dimension of the image; Update() throws if it is not 3. */
   static constexpr unsigned int ImageDimension = TInputImage::ImageDimension;
 
@@ -226,6 +229,17 @@ public:
   itkBooleanMacro(MergeLabels);
   /** @ITKEndGrouping */
 
+  /** Width, in physical units (mm), by which the surface of labels or of a threshold's object is smoothed: the standard
+   * deviation of a Gaussian over the voxels' indicators, as in itk::LabelImageGaussianInterpolateImageFunction, but
+   * corrected so that curved surfaces don't shrink. A width of 0.5 to 1 voxel takes away most of the voxels' steps.
+   * Components that would lose voxels are smoothed by less, and are told of in the warnings. Not negative and finite,
+   * else Update() throws, as it does with an iso value or with another interpolator than the linear one. Default 0: not
+   * smoothed. */
+  /** @ITKStartGrouping */
+  itkSetMacro(Smoothing, double);
+  itkGetConstMacro(Smoothing, double);
+  /** @ITKEndGrouping */
+
   /** Only the 18-connected component of the object, labels merged, with the most voxels is meshed. Default off. */
   /** @ITKStartGrouping */
   itkSetMacro(LargestComponentOnly, bool);
@@ -268,6 +282,10 @@ public:
   /** The components of the object in the last run, each of one label, in the order of their first voxels. Their regions
    * count the labels from 1. */
   itkGetConstReferenceMacro(Components, std::vector<DelaunayRefinementComponent>);
+
+  /** The components that were smoothed by less than Smoothing in the last run, as they were before, and their widths in
+   * physical units (mm), 0 for none. */
+  itkGetConstReferenceMacro(LoweredSmoothings, LoweredSmoothingsType);
 
   /** The labels of the object in the last run, ascending: those of regions 1, 2, ... */
   itkGetConstReferenceMacro(RegionLabels, LabelsType);
@@ -374,6 +392,9 @@ private:
   WarnOfComponents();
 
   void
+  WarnOfSmoothing();
+
+  void
   ThrowIfStrict() const;
 
   /** Leaves both outputs empty if it throws. */
@@ -415,6 +436,7 @@ private:
   LabelsType                         m_Labels{};
   bool                               m_MergeLabels{ false };
   bool                               m_LargestComponentOnly{ false };
+  double                             m_Smoothing{ 0.0 };
   SizeValueType                      m_MinimumComponentSize{ 1 };
   bool                               m_Strict{ false };
   typename InterpolatorType::Pointer m_Interpolator{};
@@ -422,6 +444,7 @@ private:
   double                                   m_EffectiveDelta{ 0.0 };
   DelaunayRefinementStatistics             m_Statistics{};
   std::vector<DelaunayRefinementComponent> m_Components{};
+  LoweredSmoothingsType                    m_LoweredSmoothings{};
   LabelsType                               m_RegionLabels{};
   LabelsType                               m_MissingLabels{};
   typename CellDataType::Pointer           m_BoundaryOtherLabels{ CellDataType::New() };

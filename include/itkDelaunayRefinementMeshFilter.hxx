@@ -179,6 +179,7 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::GenerateData()
 {
   m_Statistics = DelaunayRefinementStatistics();
   m_Components.clear();
+  m_LoweredSmoothings.clear();
   m_RegionLabels.clear();
   m_MissingLabels.clear();
   m_BoundaryOtherLabels = CellDataType::New();
@@ -206,6 +207,7 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::GenerateData()
     ImageDelaunayRefinementOracle<InputImageType> oracle(image, object, m_Interpolator, &threads);
     this->ThrowIfAborted();
     this->VerifyObject(image, oracle);
+    m_LoweredSmoothings = oracle.GetLoweredWidths();
     m_EffectiveDelta = m_DeltaIsSet ? m_Delta : oracle.ComputeDefaultDelta();
     double largestDelta = m_EffectiveDelta;
     for (const auto & labelDelta : m_LabelDeltas)
@@ -233,6 +235,7 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::GenerateData()
     this->WarnOfLabels();
     this->WarnOfComponents();
     this->ThrowIfStrict();
+    this->WarnOfSmoothing();
 
     const auto copyStart = Clock::now();
     this->CopyResult(result, threads);
@@ -524,12 +527,14 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::PrintSelf(std::ostream &
   printLabels("Labels", m_Labels);
   os << indent << "MergeLabels: " << onOff(m_MergeLabels) << '\n';
   os << indent << "LargestComponentOnly: " << onOff(m_LargestComponentOnly) << '\n';
+  os << indent << "Smoothing: " << m_Smoothing << '\n';
   os << indent << "MinimumComponentSize: " << m_MinimumComponentSize << '\n';
   os << indent << "Strict: " << onOff(m_Strict) << '\n';
   itkPrintSelfObjectMacro(Interpolator);
   os << indent << "EffectiveDelta: " << m_EffectiveDelta << '\n';
   os << indent << "Statistics: " << m_Statistics << '\n';
   os << indent << "Components: " << m_Components.size() << '\n';
+  os << indent << "LoweredSmoothings: " << m_LoweredSmoothings.size() << '\n';
   printLabels("RegionLabels", m_RegionLabels);
   printLabels("MissingLabels", m_MissingLabels);
   os << indent << "BoundaryOtherLabels: " << m_BoundaryOtherLabels->Size() << '\n';

@@ -80,6 +80,15 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::VerifyPreconditions() IT
     itkExceptionMacro("LowerThreshold is " << m_LowerThreshold << " and UpperThreshold is " << m_UpperThreshold
                                            << "; they must be numbers, the lower one not above the upper one");
   }
+  if (!(std::isfinite(m_Smoothing) && m_Smoothing >= 0.0))
+  {
+    itkExceptionMacro("Smoothing is " << m_Smoothing << "; it must be a finite length, 0 for none");
+  }
+  if (m_Smoothing > 0.0 && m_IsoValueIsSet)
+  {
+    itkExceptionMacro("Smoothing is for labels and thresholds, and IsoValue is set; smooth the image instead, or leave "
+                      "Smoothing at 0");
+  }
   const bool hasThreshold = m_LowerThresholdIsSet || m_UpperThresholdIsSet;
   if ((m_IsoValueIsSet ? 1 : 0) + (hasThreshold ? 1 : 0) + (m_Labels.empty() && !m_MergeLabels ? 0 : 1) > 1)
   {
@@ -130,6 +139,7 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::ChooseObject(const Input
   const LabelsType merged{ InputPixelType{ 1 } };
   object.minimumComponentSize = m_MinimumComponentSize;
   object.largestComponentOnly = m_LargestComponentOnly;
+  object.smoothingWidth = m_Smoothing;
   if (m_IsoValueIsSet)
   {
     object.definition = DefinitionEnum::ISO_VALUE;
@@ -362,6 +372,11 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::VerifyLabels() const
     }
   }
   const std::string interpolator = m_Interpolator.IsNull() ? "" : m_Interpolator->GetNameOfClass();
+  if (m_Smoothing > 0.0 && !interpolator.empty() && interpolator != "LinearInterpolateImageFunction")
+  {
+    itkExceptionMacro("Smoothing goes with linear interpolation alone; set another Interpolator than "
+                      << interpolator << ", or leave Smoothing at 0");
+  }
   if (m_RegionLabels.size() > 1 && !interpolator.empty() && interpolator != "LinearInterpolateImageFunction" &&
       interpolator != "NearestNeighborInterpolateImageFunction")
   {
@@ -493,6 +508,25 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::WarnOfComponents()
          << " mm for " << this->DescribeComponent(m_Components[smallest->first]);
     m_Warnings.push_back(text.str());
   }
+}
+
+template <typename TInputImage, typename TOutputMesh>
+void
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::WarnOfSmoothing()
+{
+  if (m_LoweredSmoothings.empty())
+  {
+    return;
+  }
+  const auto largest =
+    std::max_element(m_LoweredSmoothings.begin(), m_LoweredSmoothings.end(), [](const auto & a, const auto & b) {
+      return a.first.numberOfVoxels < b.first.numberOfVoxels;
+    });
+  std::ostringstream text;
+  text << "Smoothing was lowered for " << m_LoweredSmoothings.size() << " components that " << m_Smoothing
+       << " mm would shrink; the largest is " << this->DescribeComponent(largest->first) << ", smoothed by "
+       << largest->second << " mm";
+  m_Warnings.push_back(text.str());
 }
 } // end namespace itk
 

@@ -99,14 +99,15 @@ public:
   virtual bool
   FindPointOfPatch(const SurfacePatchIdentifier & patch, PointType & point) const = 0;
 
-  /** Patches that together cover the lines where three regions or more meet, outside counted; parts of them, by
-   * SplitSurfacePatch(), do so, too. Default: none. */
+  /** Patches that together cover where at least as many regions meet, outside counted; so do their parts, by
+   * SplitSurfacePatch(). Three regions meet in lines, four in points. Default: none. */
   virtual SurfacePatches
-  GetJunctionPatches() const;
+  GetJunctionPatches(unsigned int leastRegions) const;
 
-  /** Finds a point of the surface very near to such a line in a patch; false if there seems to be none. */
+  /** Finds a point of the surface in a patch, very near to where at least as many regions meet, outside counted; false
+   * if there seems to be none. Three regions meet in lines, four in points. */
   virtual bool
-  FindJunctionInPatch(const SurfacePatchIdentifier & patch, PointType & point) const;
+  FindJunctionInPatch(const SurfacePatchIdentifier & patch, unsigned int leastRegions, PointType & point) const;
 
   /** Number of components of the object: at least 1 unless it is empty. */
   virtual ComponentType

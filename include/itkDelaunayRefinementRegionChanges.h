@@ -58,6 +58,13 @@ public:
     }
   }
 
+  /** Says whether voxel (x, y, z) differs from the one before it along an axis. */
+  void
+  Set(unsigned int axis, std::int32_t x, std::int32_t y, std::int32_t z, bool differs)
+  {
+    m_Masks[axis].Set(x, y, z, differs);
+  }
+
   /** The words of a row, as those of a mask. */
   const std::uint64_t *
   GetRow(unsigned int axis, std::int32_t paddedY, std::int32_t paddedZ) const

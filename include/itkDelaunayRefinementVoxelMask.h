@@ -87,6 +87,16 @@ public:
     return this->GetRow(y + 1, z + 1)[bit >> 6] >> (bit & 63u) & 1u;
   }
 
+  /** Makes voxel (x, y, z) a part of the object, or not. */
+  void
+  Set(std::int32_t x, std::int32_t y, std::int32_t z, bool isInside)
+  {
+    const std::uint32_t bit = static_cast<std::uint32_t>(x + 1);
+    const std::uint64_t flag = std::uint64_t{ 1 } << (bit & 63u);
+    std::uint64_t &     word = this->GetRow(y + 1, z + 1)[bit >> 6];
+    word = isInside ? word | flag : word & ~flag;
+  }
+
   /** Makes voxels first to last (included) of a row outside. */
   void
   ClearRun(std::int32_t first, std::int32_t last, std::int32_t y, std::int32_t z);

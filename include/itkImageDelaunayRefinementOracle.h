@@ -66,6 +66,10 @@ struct DelaunayRefinementObject
   /** ISO_VALUE: inside is at or above, in pixel values. */
   double isoValue{ 0.0 };
 
+  /** All but ISO_VALUE: indicators are smoothed by a Gaussian's standard deviation (mm), with linear interpolation
+   * alone. 0: they are not. */
+  double smoothingWidth{ 0.0 };
+
   /** Components with fewer voxels are left out. */
   std::size_t minimumComponentSize{ 1 };
 
@@ -137,6 +141,14 @@ private:
                const ObjectType &            object,
                DelaunayRefinementVoxelMask & mask,
                DelaunayRefinementThreads *   threads);
+
+  /** The same for objects of one region and of several. */
+  void
+  InitializeAs(ModelEnum                   model,
+               const ImageType *           image,
+               const ObjectType &          object,
+               DelaunayRefinementVoxelMask mask,
+               DelaunayRefinementThreads * threads);
 
   /** Removes the components that the user does not want from the mask. */
   static void

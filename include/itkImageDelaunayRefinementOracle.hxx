@@ -67,6 +67,21 @@ ImageDelaunayRefinementOracle<TImage>::ImageDelaunayRefinementOracle(const Image
     this->PrepareField(image, object, mask, threads);
   }
 
+  this->InitializeAs(model, image, object, std::move(mask), threads);
+  if (object.smoothingWidth > 0.0 && model == ModelEnum::INDICATOR)
+  {
+    this->Smooth(object.smoothingWidth);
+  }
+}
+
+template <typename TImage>
+void
+ImageDelaunayRefinementOracle<TImage>::InitializeAs(ModelEnum                   model,
+                                                    const ImageType *           image,
+                                                    const ObjectType &          object,
+                                                    DelaunayRefinementVoxelMask mask,
+                                                    DelaunayRefinementThreads * threads)
+{
   const bool isSelective = object.largestComponentOnly || object.minimumComponentSize > 1;
   if (object.regionLabels.size() < 2)
   {
@@ -91,9 +106,7 @@ ImageDelaunayRefinementOracle<TImage>::ImageDelaunayRefinementOracle(const Image
   DelaunayRefinementVoxelComponents components(
     mask,
     *changes,
-    [this](std::int32_t x, std::int32_t y, std::int32_t z) {
-      return ImageDelaunayRefinementOracle::GetVoxelRegion(x, y, z);
-    },
+    [this](std::int32_t x, std::int32_t y, std::int32_t z) { return this->GetVoxelRegion(x, y, z); },
     threads);
   this->Initialize(model, ComputeFrame(image), std::move(mask), std::move(components), threads, std::move(changes));
 }

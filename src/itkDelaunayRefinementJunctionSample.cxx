@@ -29,9 +29,9 @@ namespace
 using Geometry = DelaunayRefinementGeometry;
 using PatchesType = DelaunayRefinementSurfacePatches;
 
-/** Vertices of a line are at least this share of delta apart, and gaps between them less than twice as long: R1's own
- * vertices, a whole delta away from both ends of a gap, stay out of the ball over it. */
-constexpr double Separation = 0.6;
+/** Vertices are at least this share of delta apart, and gaps in a line less than twice as long: R1's own vertices, a
+ * whole delta away from both ends of a gap, come no nearer to its middle than half of delta. */
+constexpr double Separation = 0.8;
 
 /** Patches larger than this share of the separation are split. */
 constexpr double LargestPatch = 0.5;
@@ -47,41 +47,46 @@ SampleDelaunayRefinementJunctions(const DelaunayRefinementOracle &     oracle,
 {
   const auto                  bounds = oracle.GetSurfaceBounds();
   DelaunayRefinementPointGrid vertices(bounds.minimum, bounds.maximum, localDelta.GetMaximum());
-  PatchesType                 wholes = oracle.GetJunctionPatches();
   PatchesType                 parts(bounds.minimum);
   std::size_t                 numberOfVisits = 0;
-  while (wholes.GetSize() > 0)
+
+  // The ends of lines first: gaps there would leave them loose.
+  for (const unsigned int leastRegions : { 4u, 3u })
   {
-    parts.Clear(bounds.minimum);
-    for (std::size_t i = 0; i < wholes.GetSize(); ++i)
+    PatchesType wholes = oracle.GetJunctionPatches(leastRegions);
+    while (wholes.GetSize() > 0)
     {
-      if (++numberOfVisits % PatchesBetweenQuestions == 0 && !keepGoing())
+      parts.Clear(bounds.minimum);
+      for (std::size_t i = 0; i < wholes.GetSize(); ++i)
       {
-        return vertices.GetPoints();
-      }
-      const auto   patch = wholes.Get(i);
-      const double least = Separation * localDelta.GetMinimumWithin(patch.center, patch.radius);
-      if (patch.radius < least && vertices.HasPointWithin(patch.center, least - patch.radius))
-      {
-        continue;
-      }
-      if (patch.radius > LargestPatch * least)
-      {
-        oracle.SplitSurfacePatch(patch.identifier, parts);
-        continue;
-      }
-      DelaunayRefinementPoint point;
-      if (oracle.FindJunctionInPatch(patch.identifier, point) &&
-          !vertices.HasPointWithin(point, Separation * localDelta.GetAt(point)))
-      {
-        if (roundToFloat)
+        if (++numberOfVisits % PatchesBetweenQuestions == 0 && !keepGoing())
         {
-          std::transform(point.begin(), point.end(), point.begin(), Geometry::RoundToFloat);
+          return vertices.GetPoints();
         }
-        vertices.Add(point);
+        const auto   patch = wholes.Get(i);
+        const double least = Separation * localDelta.GetMinimumWithin(patch.center, patch.radius);
+        if (patch.radius < least && vertices.HasPointWithin(patch.center, least - patch.radius))
+        {
+          continue;
+        }
+        if (patch.radius > LargestPatch * least)
+        {
+          oracle.SplitSurfacePatch(patch.identifier, parts);
+          continue;
+        }
+        DelaunayRefinementPoint point;
+        if (oracle.FindJunctionInPatch(patch.identifier, leastRegions, point) &&
+            !vertices.HasPointWithin(point, Separation * localDelta.GetAt(point)))
+        {
+          if (roundToFloat)
+          {
+            std::transform(point.begin(), point.end(), point.begin(), Geometry::RoundToFloat);
+          }
+          vertices.Add(point);
+        }
       }
+      std::swap(wholes, parts);
     }
-    std::swap(wholes, parts);
   }
   return vertices.GetPoints();
 }

@@ -22,9 +22,9 @@
 
 namespace itk
 {
-/** Feature vertices for lines where three regions or more meet, outside counted, before those of rule R1: so near to
- * each other that R1 puts none between them, and no nearer than a share of delta (docs/guarantees.md, section 12).
- * Always the same in the same order. Points are rounded to floats if \c roundToFloat is set. */
+/** Feature vertices for the points where four regions or more meet, outside counted, then for the lines where three do;
+ * before those of rule R1, which keep a whole delta away (docs/guarantees.md, section 12). Always the same in the same
+ * order. Points are rounded to floats if \c roundToFloat is set. */
 std::vector<DelaunayRefinementPoint>
 SampleDelaunayRefinementJunctions(const DelaunayRefinementOracle &     oracle,
                                   const DelaunayRefinementLocalDelta & localDelta,

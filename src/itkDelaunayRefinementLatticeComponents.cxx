@@ -131,9 +131,9 @@ DelaunayRefinementLatticeOracle::ChooseCandidates() const
 std::pair<double, double>
 DelaunayRefinementLatticeOracle::MeasureThickness(const IndexType & voxel, double enough) const
 {
-  const RegionType region = m_HasRegions ? this->GetVoxelRegion(voxel[0], voxel[1], voxel[2]) : 1;
+  const RegionType region = m_HasRegions ? this->GetRegion(voxel[0], voxel[1], voxel[2]) : 1;
   const auto       isInside = [&](const IndexType & v) {
-    return m_Mask->Get(v[0], v[1], v[2]) && (!m_HasRegions || this->GetVoxelRegion(v[0], v[1], v[2]) == region);
+    return m_Mask->Get(v[0], v[1], v[2]) && (!m_HasRegions || this->GetRegion(v[0], v[1], v[2]) == region);
   };
   std::array<double, 3> widths{};
   for (unsigned int axis = 0; axis < 3; ++axis)
@@ -150,7 +150,7 @@ DelaunayRefinementLatticeOracle::MeasureThickness(const IndexType & voxel, doubl
   }
   // Between equals the sum decides, for grey values their height above the level.
   const double width = *std::min_element(widths.begin(), widths.end());
-  return m_Model == ModelEnum::GREY ? std::make_pair(width, this->GetVoxelValue(voxel[0], voxel[1], voxel[2]))
+  return m_Model == ModelEnum::GREY ? std::make_pair(width, this->GetValue(voxel[0], voxel[1], voxel[2]))
                                     : std::make_pair(width + 1e-3 * (widths[0] + widths[1] + widths[2]), 0.0);
 }
 
@@ -188,7 +188,7 @@ DelaunayRefinementLatticeOracle::ClimbToInscribedRadius(const IndexType & voxel,
   constexpr unsigned int maximumNumberOfSteps = 16;
   constexpr double       smallestGain = 0.05;
   PointType              point = this->ToPhysical(PointType{ voxel[0] + 1.0, voxel[1] + 1.0, voxel[2] + 1.0 });
-  const RegionType       region = m_HasRegions ? this->GetVoxelRegion(voxel[0], voxel[1], voxel[2]) : 1;
+  const RegionType       region = m_HasRegions ? this->GetRegion(voxel[0], voxel[1], voxel[2]) : 1;
   const auto             radiusAt = [&](const PointType & p, double nearEnough, PointType & closest) {
     return this->Classify(p) == region && this->FindClosestSurfacePoint(p, enough, nearEnough, closest)
                          ? Geometry::Distance(p, closest)

@@ -29,52 +29,54 @@ using PointType = DelaunayRefinementPoint;
 /** Places where regions meet are found to this, in voxels. */
 constexpr double SmallestCube = 1.0 / 64.0;
 
-/** Whether the corners of a cube lie in three regions or more. */
-template <typename TCell>
-bool
-IsJunction(const TCell & cell, const PointType & corner, double size)
+/** As many meet in a line. */
+constexpr unsigned int LeastRegions = 3;
+
+template <std::size_t VSize>
+unsigned int
+CountRegions(std::array<DelaunayRefinementRegion, VSize> regions)
 {
-  std::array<DelaunayRefinementRegion, 8> regions;
-  for (unsigned int i = 0; i < 8; ++i)
-  {
-    regions[i] =
-      cell.Classify({ corner[0] + (i & 1u) * size, corner[1] + (i >> 1 & 1u) * size, corner[2] + (i >> 2) * size });
-  }
-  const auto other = std::find_if(
-    regions.begin(), regions.end(), [&regions](DelaunayRefinementRegion region) { return region != regions[0]; });
-  return std::any_of(other, regions.end(), [&regions, other](DelaunayRefinementRegion region) {
-    return region != regions[0] && region != *other;
-  });
+  std::sort(regions.begin(), regions.end());
+  return static_cast<unsigned int>(std::unique(regions.begin(), regions.end()) - regions.begin());
 }
 
-/** A point of the surface in the first small cube of a cube that has corners in three regions. */
+/** A point of the surface in the first small cube of a cube that has corners in enough regions. */
 template <typename TCell>
 bool
-FindJunction(const TCell & cell, const PointType & corner, double size, PointType & found)
+FindJunction(const TCell & cell, const PointType & corner, double size, unsigned int leastRegions, PointType & found)
 {
-  if (!IsJunction(cell, corner, size))
-  {
-    return false;
-  }
   const double half = 0.5 * size;
   if (size <= SmallestCube)
   {
     return FindSurfacePointInCube(cell, corner, size, { corner[0] + half, corner[1] + half, corner[2] + half }, found);
   }
+  std::array<DelaunayRefinementRegion, 27> regions;
+  for (unsigned int i = 0; i < 27; ++i)
+  {
+    regions[i] = cell.Classify({ corner[0] + i % 3 * half, corner[1] + i / 3 % 3 * half, corner[2] + i / 9 * half });
+  }
   for (unsigned int i = 0; i < 8; ++i)
   {
+    const unsigned int                      first = (i & 1u) + 3 * (i >> 1 & 1u) + 9 * (i >> 2);
+    std::array<DelaunayRefinementRegion, 8> corners;
+    for (unsigned int j = 0; j < 8; ++j)
+    {
+      corners[j] = regions[first + (j & 1u) + 3 * (j >> 1 & 1u) + 9 * (j >> 2)];
+    }
     const PointType at{ corner[0] + (i & 1u) * half, corner[1] + (i >> 1 & 1u) * half, corner[2] + (i >> 2) * half };
-    if (FindJunction(cell, at, half, found))
+    if (CountRegions(corners) >= leastRegions && FindJunction(cell, at, half, leastRegions, found))
     {
       return true;
     }
   }
-  return false;
+  // Where four meet, no smaller cube need have a corner in each: a point of a line that leads there.
+  return leastRegions > LeastRegions && CountRegions(regions) >= leastRegions &&
+         FindJunction(cell, corner, size, leastRegions - 1, found);
 }
 } // namespace
 
 DelaunayRefinementOracle::SurfacePatches
-DelaunayRefinementLatticeOracle::GetJunctionPatches() const
+DelaunayRefinementLatticeOracle::GetJunctionPatches(unsigned int leastRegions) const
 {
   if (!m_HasRegions)
   {
@@ -94,7 +96,7 @@ DelaunayRefinementLatticeOracle::GetJunctionPatches() const
         const IndexType cell{ 4 * bricks[i][0] + (bit & 3),
                               4 * bricks[i][1] + (bit >> 2 & 3),
                               4 * bricks[i][2] + (bit >> 4) };
-        if (FindDelaunayRefinementPair(this->GetCellRegions(cell)).configuration == 0)
+        if (CountRegions(this->GetCellRegions(cell)) >= leastRegions)
         {
           found[piece].push_back(cell);
         }
@@ -115,12 +117,15 @@ DelaunayRefinementLatticeOracle::GetJunctionPatches() const
 }
 
 bool
-DelaunayRefinementLatticeOracle::FindJunctionInPatch(const SurfacePatchIdentifier & patch, PointType & point) const
+DelaunayRefinementLatticeOracle::FindJunctionInPatch(const SurfacePatchIdentifier & patch,
+                                                     unsigned int                   leastRegions,
+                                                     PointType &                    point) const
 {
   const DelaunayRefinementPlace place = FindDelaunayRefinementPlace(patch);
   PointType                     found;
-  if (!this->VisitCell(place.cell,
-                       [&](const auto & content) { return FindJunction(content, place.corner, place.size, found); }))
+  if (!this->VisitCell(place.cell, [&](const auto & content) {
+        return FindJunction(content, place.corner, place.size, leastRegions, found);
+      }))
   {
     return false;
   }

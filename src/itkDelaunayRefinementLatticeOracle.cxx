@@ -19,6 +19,7 @@
 
 #include "itkDelaunayRefinementGeometry.h"
 #include "itkDelaunayRefinementLatticeVisit.h"
+#include "itkDelaunayRefinementSmoothedRegions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -208,12 +209,8 @@ DelaunayRefinementLatticeOracle::GetCornerValue(std::int32_t x, std::int32_t y, 
 {
   // The mask prevails: removed components and the outer layer are mirrored about the level. No value is at the level
   // itself, so that a plateau there ends half a voxel beyond its last voxel, too.
-  constexpr double   least = 1e-30;
-  const auto &       size = m_Mask->GetSize();
-  const std::int32_t nearX = std::clamp(x, 0, size[0] - 1);
-  const std::int32_t nearY = std::clamp(y, 0, size[1] - 1);
-  const std::int32_t nearZ = std::clamp(z, 0, size[2] - 1);
-  const double       magnitude = std::max(std::abs(this->GetVoxelValue(nearX, nearY, nearZ)), least);
+  constexpr double least = 1e-30;
+  const double     magnitude = std::max(std::abs(this->GetValue(x, y, z)), least);
   return m_Mask->Get(x, y, z) ? magnitude : -magnitude;
 }
 
@@ -311,7 +308,7 @@ DelaunayRefinementLatticeOracle::GetCellRegions(const IndexType & cell) const
 unsigned int
 DelaunayRefinementLatticeOracle::GetIndicatorConfiguration(const IndexType & cell) const
 {
-  if (m_Model != ModelEnum::INDICATOR)
+  if (m_Model != ModelEnum::INDICATOR || m_Smoothed != nullptr)
   {
     return 0;
   }
@@ -322,7 +319,7 @@ DelaunayRefinementLatticeOracle::GetIndicatorConfiguration(const IndexType & cel
 DelaunayRefinementOracle::RegionType
 DelaunayRefinementLatticeOracle::GetUniformRegion(const IndexType & cell) const
 {
-  return m_HasRegions ? this->GetVoxelRegion(cell[0] - 1, cell[1] - 1, cell[2] - 1) : 1;
+  return m_HasRegions ? this->GetRegion(cell[0] - 1, cell[1] - 1, cell[2] - 1) : 1;
 }
 
 bool
@@ -399,7 +396,7 @@ DelaunayRefinementLatticeOracle::FindComponent(const PointType & point) const
         for (std::int32_t x = first[0]; x <= last[0]; ++x)
         {
           const double squared = this->GetSquaredLength({ x + 1 - lattice[0], y + 1 - lattice[1], z + 1 - lattice[2] });
-          if (squared < best && m_Mask->Get(x, y, z) && (region == 0 || this->GetVoxelRegion(x, y, z) == region))
+          if (squared < best && m_Mask->Get(x, y, z) && (region == 0 || this->GetRegion(x, y, z) == region))
           {
             best = squared;
             nearest = { x, y, z };

@@ -123,6 +123,10 @@ DelaunayRefinementLatticeOracle::VisitCell(const IndexType & cell, const TVisito
     {
       return visitor(DelaunayRefinementIndicatorCell::Get(m_Mask->GetConfiguration(cell[0], cell[1], cell[2])).cell);
     }
+    if (m_Smoothed != nullptr)
+    {
+      return visitor(this->MakeSmoothedCell(cell));
+    }
     const auto corners = this->GetCellRegions(cell);
     if (const auto pair = FindDelaunayRefinementPair(corners); pair.configuration != 0)
     {

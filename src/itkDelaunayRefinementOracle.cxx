@@ -29,13 +29,13 @@ DelaunayRefinementOracle::IsSurfaceWithin(const PointType & point, double distan
 }
 
 DelaunayRefinementOracle::SurfacePatches
-DelaunayRefinementOracle::GetJunctionPatches() const
+DelaunayRefinementOracle::GetJunctionPatches(unsigned int) const
 {
   return SurfacePatches();
 }
 
 bool
-DelaunayRefinementOracle::FindJunctionInPatch(const SurfacePatchIdentifier &, PointType &) const
+DelaunayRefinementOracle::FindJunctionInPatch(const SurfacePatchIdentifier &, unsigned int, PointType &) const
 {
   return false;
 }

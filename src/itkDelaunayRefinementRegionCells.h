@@ -111,29 +111,42 @@ public:
     std::array<double, 8>    values;
   };
 
+  /** All is outside. */
+  DelaunayRefinementRegionsCell() = default;
+
   /** Each corner belongs to one region, x fastest. */
   explicit DelaunayRefinementRegionsCell(const std::array<DelaunayRefinementRegion, 8> & corners)
   {
     for (unsigned int i = 0; i < 8; ++i)
     {
-      if (corners[i] == 0)
+      if (corners[i] != 0)
       {
-        continue;
+        this->Add(corners[i], i, 1.0);
       }
-      unsigned int place = 0;
-      while (place < m_Number && m_Weights[place].region < corners[i])
-      {
-        ++place;
-      }
-      if (place == m_Number || m_Weights[place].region != corners[i])
-      {
-        std::copy_backward(m_Weights.begin() + place, m_Weights.begin() + m_Number, m_Weights.begin() + m_Number + 1);
-        m_Weights[place] = { corners[i], {} };
-        ++m_Number;
-      }
-      m_Weights[place].values[i] = 1.0;
-      m_Union[i] = 1.0;
     }
+  }
+
+  /** Adds to the weight of a region at a corner. Of more regions than any cell has the last ones weigh nothing. */
+  void
+  Add(DelaunayRefinementRegion region, unsigned int corner, double weight)
+  {
+    m_Union[corner] += weight;
+    unsigned int place = 0;
+    while (place < m_Number && m_Weights[place].region < region)
+    {
+      ++place;
+    }
+    if (place == m_Number || m_Weights[place].region != region)
+    {
+      if (m_Number == MostRegions)
+      {
+        return;
+      }
+      std::copy_backward(m_Weights.begin() + place, m_Weights.begin() + m_Number, m_Weights.begin() + m_Number + 1);
+      m_Weights[place] = { region, {} };
+      ++m_Number;
+    }
+    m_Weights[place].values[corner] += weight;
   }
 
   DelaunayRefinementRegion
@@ -268,10 +281,12 @@ private:
     return sum;
   }
 
+  static constexpr unsigned int MostRegions = 24;
+
   // In the order of the regions.
-  std::array<WeightsType, 8> m_Weights;
-  unsigned int               m_Number{ 0 };
-  std::array<double, 8>      m_Union{};
+  std::array<WeightsType, MostRegions> m_Weights;
+  unsigned int                         m_Number{ 0 };
+  std::array<double, 8>                m_Union{};
 };
 } // end namespace itk
 

@@ -166,6 +166,161 @@ TEST(DelaunayRefinementMeshFilterLabels, TheOuterBoundaryIsThatOfTheMergedObject
   EXPECT_NEAR(area / ComputeInterfaceArea(merged, 1.0, 0.0), 1.0, 0.03);
 }
 
+TEST(DelaunayRefinementMeshFilterLabels, EdgesFollowTheLinesWhereTissuesMeet)
+{
+  for (const double delta : { 0.9, 1.5, 2.0, 3.0, 4.0 })
+  {
+    const CheckedMesh mesh = MeshOf(MakeTissues().GetPointer(), delta);
+
+    // Vertices and edges with three labels around them.
+    std::vector<std::set<double>>                            labelsOf(mesh.points.size());
+    std::map<std::array<std::uint32_t, 2>, std::set<double>> labelsOfEdges;
+    for (std::size_t i = 0; i < mesh.tetrahedra.size(); ++i)
+    {
+      const auto t = MakeSorted(mesh.tetrahedra[i]);
+      for (unsigned int j = 0; j < 4; ++j)
+      {
+        labelsOf[t[j]].insert(mesh.tetrahedronLabels[i]);
+        for (unsigned int k = 0; k < j; ++k)
+        {
+          labelsOfEdges[{ t[k], t[j] }].insert(mesh.tetrahedronLabels[i]);
+        }
+      }
+    }
+    double farthest = 0.0;
+    for (std::size_t i = 0; i < mesh.points.size(); ++i)
+    {
+      if (labelsOf[i].size() == 3)
+      {
+        farthest = std::max(farthest, std::hypot(mesh.points[i][0], mesh.points[i][1]));
+      }
+    }
+    double length = 0.0;
+    for (const auto & [edge, labels] : labelsOfEdges)
+    {
+      length += labels.size() == 3 ? Distance(mesh.points[edge[0]], mesh.points[edge[1]]) : 0.0;
+    }
+    // The voxels' steps are half a voxel high.
+    EXPECT_LT(farthest, 0.3 * delta + 0.5) << delta;
+    EXPECT_GT(length / 26.0, 0.95) << delta;
+    EXPECT_LT(length / 26.0, 1.1) << delta;
+  }
+}
+
+TEST(DelaunayRefinementMeshFilterLabels, ADeltaForALabel)
+{
+  const auto filter = MakeFilter(MakeTissues().GetPointer(), 3.0);
+  filter->SetLabelDelta(17, 1.0);
+  EXPECT_EQ(filter->GetLabelDelta(17), 1.0);
+  EXPECT_EQ(filter->GetLabelDelta(3), 3.0);
+  filter->Update();
+  const CheckedMesh mesh = GetMesh(filter.GetPointer());
+  ExpectGuarantees(mesh);
+  EXPECT_TRUE(filter->GetWarnings().empty());
+  std::map<double, double> longest;
+  std::map<double, double> sum;
+  std::map<double, double> number;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+  {
+    const auto & t = mesh.triangles[i];
+    // Boundary of 17, of 3 without 17.
+    const double key = mesh.triangleLabels[i] == 17.0 || mesh.triangleOtherLabels[i] == 17.0 ? 17.0 : 3.0;
+    sum[key] += Distance(mesh.points[t[0]], mesh.points[t[1]]);
+    number[key] += 1.0;
+  }
+  EXPECT_LT(sum[17.0] / number[17.0], 1.6);
+  EXPECT_GT(sum[3.0] / number[3.0], 2.0);
+
+  filter->SetLabelDelta(5, 1.0);
+  ExpectError(filter.GetPointer(), { "LabelDelta", "5", "3, 17, 200" });
+  filter->UnsetLabelDeltas();
+  filter->SetLabelDelta(3, 0.0);
+  ExpectError(filter.GetPointer(), { "LabelDelta", "positive" });
+}
+
+TEST(DelaunayRefinementMeshFilterLabels, ABallSmoothedIsRound)
+{
+  const BallOracle ball(origin, 20.0);
+  const auto       image = MakeMask(MakeCubeGeometry(48), ball);
+  const auto       measure = [&](double width) {
+    const auto filter = MakeFilter(image.GetPointer(), 1.0);
+    filter->SetSmoothing(width);
+    filter->Update();
+    EXPECT_TRUE(filter->GetWarnings().empty());
+    EXPECT_TRUE(filter->GetLoweredSmoothings().empty());
+    const CheckedMesh mesh = GetMesh(filter.GetPointer());
+    ExpectGuarantees(mesh);
+    ExpectLabel(mesh, 1.0);
+    EXPECT_NEAR(ComputeVolume(mesh) / ball.ComputeVolume(), 1.0, 0.02);
+    double distance = 0.0;
+    double deviation = 0.0;
+    double area = 0.0;
+    for (const auto & t : mesh.triangles)
+    {
+      const auto      normal = Cross(LongDifference(mesh.points[t[1]], mesh.points[t[0]]),
+                                LongDifference(mesh.points[t[2]], mesh.points[t[0]]));
+      const PointType center = Scale(Add(Add(mesh.points[t[0]], mesh.points[t[1]]), mesh.points[t[2]]), 1.0 / 3.0);
+      const double    size = static_cast<double>(Norm(normal));
+      distance += size * std::abs(Norm(center) - 20.0);
+      deviation += size * ComputeAngle(normal, LongDifference(origin, center));
+      area += size;
+    }
+    return std::make_pair(distance / area, deviation / area);
+  };
+  const auto rough = measure(0.0);
+  const auto smooth = measure(0.8);
+  EXPECT_LT(smooth.first, 0.5 * rough.first);
+  EXPECT_LT(smooth.second, rough.second / 3.0);
+}
+
+TEST(DelaunayRefinementMeshFilterLabels, SmoothingKeepsVolumesAndSmallComponents)
+{
+  // A rod of 2 x 2 voxels and single voxels beside tissues.
+  const auto image = MakeTissues();
+  for (int z = 8; z < 22; ++z)
+  {
+    for (int i = 0; i < 4; ++i)
+    {
+      image->SetPixel({ { 8 + (i & 1), 14 + (i >> 1), z } }, 40);
+    }
+  }
+  image->SetPixel({ { 20, 20, 20 } }, 41);
+  const auto volumesOf = [&image](double width, std::size_t numberOfLowered) {
+    const auto filter = MakeFilter(image.GetPointer(), 1.0);
+    filter->SetSmoothing(width);
+    filter->StrictOn();
+    filter->Update();
+    EXPECT_EQ(filter->GetLoweredSmoothings().size(), numberOfLowered);
+    const CheckedMesh mesh = GetMesh(filter.GetPointer());
+    ExpectGuarantees(mesh);
+    return ComputeVolumes(mesh);
+  };
+  const auto rough = volumesOf(0.0, 0);
+  const auto smooth = volumesOf(1.0, 2);
+  ASSERT_EQ(smooth.size(), 5u);
+  for (const double label : { 3.0, 17.0, 200.0 })
+  {
+    EXPECT_NEAR(smooth.at(label) / rough.at(label), 1.0, 0.02) << label;
+  }
+  EXPECT_NEAR(smooth.at(40.0) / rough.at(40.0), 1.0, 0.15);
+}
+
+TEST(DelaunayRefinementMeshFilterLabels, SmoothingOfWhatHasNoSteps)
+{
+  const auto image = MakeTissues();
+  const auto filter = MakeFilter(image.GetPointer(), 1.5);
+  filter->SetSmoothing(-1.0);
+  ExpectError(filter.GetPointer(), { "Smoothing" });
+  filter->SetSmoothing(std::numeric_limits<double>::quiet_NaN());
+  ExpectError(filter.GetPointer(), { "Smoothing" });
+  filter->SetSmoothing(1.0);
+  filter->SetInterpolator(itk::NearestNeighborInterpolateImageFunction<ShortImageType, double>::New());
+  ExpectError(filter.GetPointer(), { "Smoothing", "NearestNeighbor" });
+  filter->SetInterpolator(nullptr);
+  filter->SetIsoValue(1.0);
+  ExpectError(filter.GetPointer(), { "Smoothing", "IsoValue" });
+}
+
 TEST(DelaunayRefinementMeshFilterLabels, ChosenLabelsAreTissues)
 {
   const auto filter = MakeFilter(MakeTissues().GetPointer(), 1.5);

@@ -58,6 +58,7 @@ InWordsOfOptions(const std::string & message)
     { std::regex(R"(\bMinimumComponentSize\b)"), "--min-component" },
     { std::regex(R"(\bInterpolator\b)"), "--interpolator" },
     { std::regex(R"(\bStrict\b)"), "--strict" },
+    { std::regex(R"(\bSmoothing\b)"), "--smoothing" },
     { std::regex(R"(\bNumberOfWorkUnits\b)"), "--threads" }
   };
   std::string translated = message;

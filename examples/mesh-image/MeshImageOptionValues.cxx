@@ -135,6 +135,17 @@ ParseDihedralAngle(const std::string & name, const std::string & text)
   return value;
 }
 
+double
+ParseSmoothing(const std::string & name, const std::string & text)
+{
+  const double value = ParseNumber(name, text);
+  if (!(value >= 0.0 && std::isfinite(value)))
+  {
+    Refuse(name, text, "a width of at least 0");
+  }
+  return value;
+}
+
 std::uint64_t
 ParseCount(const std::string & name, const std::string & text)
 {

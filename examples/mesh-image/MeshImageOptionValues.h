@@ -32,6 +32,8 @@ double
 ParseRadiusEdgeBound(const std::string & name, const std::string & text);
 double
 ParseDihedralAngle(const std::string & name, const std::string & text);
+double
+ParseSmoothing(const std::string & name, const std::string & text);
 std::uint64_t
 ParseCount(const std::string & name, const std::string & text);
 std::vector<std::uint64_t>

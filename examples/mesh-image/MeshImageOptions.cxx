@@ -128,6 +128,12 @@ AddRemainingOptions(CLI::App & app, Options & options)
   app.add_flag("--strict", options.strict, "fail if a label or a component is missing in the mesh")->group(keep);
 
   AddValue(app,
+           "--smoothing",
+           "MM",
+           options.smoothing,
+           ParseSmoothing,
+           "smooth the steps of labels' voxels by this width; default: not at all");
+  AddValue(app,
            "--interpolator",
            "linear|nearest|bspline",
            options.interpolator,

@@ -62,6 +62,8 @@ struct Options
   std::optional<std::uint64_t> minimumComponentSize;
   bool                         strict{ false };
 
+  std::optional<double> smoothing;
+
   Interpolator  interpolator{ Interpolator::Linear };
   std::string   surface;
   std::string   report;

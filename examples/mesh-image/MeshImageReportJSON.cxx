@@ -55,6 +55,7 @@ Parameters(const Options & options)
            { "largest_component", options.largestComponent },
            { "min_component", OrNull(options.minimumComponentSize) },
            { "strict", options.strict },
+           { "smoothing", OrNull(options.smoothing) },
            { "interpolator", interpolators[static_cast<int>(options.interpolator)] },
            { "threads", options.threads } };
 }
@@ -91,12 +92,19 @@ Rules(const itk::DelaunayRefinementStatistics & statistics)
   const auto encroachments = [&statistics](Case kind) {
     return statistics.encroachments[static_cast<std::size_t>(kind)];
   };
-  return { { "R1", insertions(Rule::R1) },        { "R2", insertions(Rule::R2) },
-           { "R3", insertions(Rule::R3) },        { "R4", insertions(Rule::R4) },
-           { "R4'", insertions(Rule::R4_PRIME) }, { "cell_size", insertions(Rule::CELL_SIZE) },
-           { "shape", insertions(Rule::SHAPE) }, { "junction", insertions(Rule::JUNCTION) },  { "E1", encroachments(Case::E1) },
-           { "E2", encroachments(Case::E2) },     { "E3", encroachments(Case::E3) },
-           { "removals", statistics.removals },   { "encroachment_removals", statistics.encroachmentRemovals } };
+  return { { "R1", insertions(Rule::R1) },
+           { "R2", insertions(Rule::R2) },
+           { "R3", insertions(Rule::R3) },
+           { "R4", insertions(Rule::R4) },
+           { "R4'", insertions(Rule::R4_PRIME) },
+           { "cell_size", insertions(Rule::CELL_SIZE) },
+           { "shape", insertions(Rule::SHAPE) },
+           { "junction", insertions(Rule::JUNCTION) },
+           { "E1", encroachments(Case::E1) },
+           { "E2", encroachments(Case::E2) },
+           { "E3", encroachments(Case::E3) },
+           { "removals", statistics.removals },
+           { "encroachment_removals", statistics.encroachmentRemovals } };
 }
 
 Json
@@ -156,6 +164,19 @@ LoweredDeltas(const Run & run)
   return list;
 }
 
+Json
+LoweredSmoothings(const Run & run)
+{
+  Json list = Json::array();
+  for (const auto & [component, width] : run.loweredSmoothings)
+  {
+    Json entry = Describe(run, component);
+    entry["smoothing"] = width;
+    list.push_back(entry);
+  }
+  return list;
+}
+
 std::string
 Name(itk::DelaunayRefinementEnums::TerminationReason reason)
 {
@@ -188,6 +209,7 @@ Compose(const Report & report)
            { "missing_components", MissingComponents(run) },
            { "missing_labels", run.missingLabels },
            { "lowered_deltas", LoweredDeltas(run) },
+           { "lowered_smoothings", LoweredSmoothings(run) },
            { "warnings", run.warnings },
            { "termination", Name(run.statistics.terminationReason) } };
 }

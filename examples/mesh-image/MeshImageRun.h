@@ -37,12 +37,13 @@ struct Run
   MeshType::Pointer mesh;
   MeshType::Pointer boundary;
 
-  double                                        delta{ 0.0 };
-  itk::DelaunayRefinementStatistics             statistics;
-  std::vector<itk::DelaunayRefinementComponent> components;
-  std::vector<std::uint64_t>                    labels;
-  std::vector<std::uint64_t>                    missingLabels;
-  std::vector<std::string>                      warnings;
+  double                                                           delta{ 0.0 };
+  itk::DelaunayRefinementStatistics                                statistics;
+  std::vector<itk::DelaunayRefinementComponent>                    components;
+  std::vector<std::uint64_t>                                       labels;
+  std::vector<std::pair<itk::DelaunayRefinementComponent, double>> loweredSmoothings;
+  std::vector<std::uint64_t>                                       missingLabels;
+  std::vector<std::string>                                         warnings;
 
   double readingSeconds{ 0.0 };
   double filterSeconds{ 0.0 };

@@ -174,6 +174,7 @@ RunFilterOnPixels(const Options & options, itk::ImageIOBase * io, const Progress
   SetObject(*filter, options);
   SetSizes(*filter, options);
   SetInterpolator(*filter, options.interpolator);
+  filter->SetSmoothing(options.smoothing.value_or(0.0));
   filter->SetNumberOfWorkUnits(static_cast<itk::ThreadIdType>(options.threads));
   filter->AddObserver(itk::ProgressEvent(),
                       [&progress, &filter](const itk::EventObject &) { progress("Meshing", filter->GetProgress()); });
@@ -196,6 +197,7 @@ RunFilterOnPixels(const Options & options, itk::ImageIOBase * io, const Progress
   run.delta = filter->GetEffectiveDelta();
   run.statistics = filter->GetStatistics();
   run.components = filter->GetComponents();
+  run.loweredSmoothings = filter->GetLoweredSmoothings();
   run.labels.assign(filter->GetRegionLabels().begin(), filter->GetRegionLabels().end());
   run.missingLabels.assign(filter->GetMissingLabels().begin(), filter->GetMissingLabels().end());
   for (const std::string & warning : filter->GetWarnings())

@@ -1,0 +1,171 @@
+/*=========================================================================
+ *
+ *  Copyright The DelaunayRefinement Contributors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkDelaunayRefinementGeometry.h"
+#include "itkDelaunayRefinementLatticeVisit.h"
+#include "itkDelaunayRefinementSmoothedRegions.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace itk
+{
+namespace
+{
+/** At the start no component is smoothed by more than this share of its inscribed radius. */
+constexpr double LargestShareOfRadius = 0.5;
+
+/** A component that loses more than this share of its voxels is smoothed by half the width. */
+constexpr double LargestLoss = 0.03;
+
+/** Narrower widths, in voxels, are none. */
+constexpr double LeastWidthInVoxels = 0.2;
+} // namespace
+
+void
+DelaunayRefinementLatticeOracle::Smooth(double width)
+{
+  const std::vector<DelaunayRefinementComponent> components = this->ComputeComponents(width / LargestShareOfRadius);
+  const std::array<double, 3> spacing{ std::sqrt(m_Gram[0][0]), std::sqrt(m_Gram[1][1]), std::sqrt(m_Gram[2][2]) };
+  const double                leastWidth = LeastWidthInVoxels * this->GetLeastSpacing();
+  const auto                  orNone = [leastWidth](double value) { return value < leastWidth ? 0.0 : value; };
+
+  std::vector<double> widths;
+  for (const DelaunayRefinementComponent & component : components)
+  {
+    widths.push_back(orNone(std::min(width, LargestShareOfRadius * component.inscribedRadius)));
+  }
+  m_Smoothed = std::make_unique<DelaunayRefinementSmoothedRegions>(*m_Mask, *m_Components, *m_Bricks, spacing);
+  for (bool isDone = false; !isDone;)
+  {
+    m_Smoothed->Smooth(widths, m_Threads);
+    const std::vector<std::ptrdiff_t> gains = m_Smoothed->CountGains();
+    isDone = true;
+    for (std::size_t i = 0; i < widths.size(); ++i)
+    {
+      const double loss = -static_cast<double>(gains[i]) / static_cast<double>(components[i].numberOfVoxels);
+      if (loss > LargestLoss && widths[i] > 0.0)
+      {
+        widths[i] = orNone(0.5 * widths[i]);
+        isDone = false;
+      }
+    }
+  }
+  for (std::size_t i = 0; i < widths.size(); ++i)
+  {
+    if (widths[i] < width)
+    {
+      m_LoweredWidths.emplace_back(components[i], widths[i]);
+    }
+  }
+  this->TakeSmoothedRegions();
+}
+
+void
+DelaunayRefinementLatticeOracle::TakeSmoothedRegions()
+{
+  const auto isInImage = [this](const IndexType & voxel) {
+    const auto & size = m_Mask->GetSize();
+    return voxel[0] >= 0 && voxel[1] >= 0 && voxel[2] >= 0 && voxel[0] < size[0] && voxel[1] < size[1] &&
+           voxel[2] < size[2];
+  };
+  const auto forEachVoxel = [&](const auto & action) {
+    m_Smoothed->ForEachVoxel([&](const IndexType & padded, RegionType region) {
+      const IndexType voxel{ padded[0] - 1, padded[1] - 1, padded[2] - 1 };
+      if (isInImage(voxel))
+      {
+        action(voxel, region);
+      }
+    });
+  };
+  forEachVoxel(
+    [this](const IndexType & voxel, RegionType region) { m_Mask->Set(voxel[0], voxel[1], voxel[2], region != 0); });
+  if (m_HasRegions)
+  {
+    forEachVoxel([&](const IndexType & voxel, RegionType region) {
+      for (unsigned int axis = 0; axis < 3; ++axis)
+      {
+        IndexType before = voxel;
+        --before[axis];
+        m_Changes->Set(axis,
+                       voxel[0],
+                       voxel[1],
+                       voxel[2],
+                       isInImage(before) && m_Mask->Get(before[0], before[1], before[2]) &&
+                         this->GetRegion(before[0], before[1], before[2]) != region);
+      }
+    });
+    const auto regionOf = [this](std::int32_t x, std::int32_t y, std::int32_t z) { return this->GetRegion(x, y, z); };
+    *m_Components = DelaunayRefinementVoxelComponents(*m_Mask, *m_Changes, regionOf, m_Threads);
+  }
+  else
+  {
+    // Its weights are values, and one half is the level.
+    m_Model = ModelEnum::GREY;
+    *m_Components = DelaunayRefinementVoxelComponents(*m_Mask, m_Threads);
+  }
+  *m_Bricks = DelaunayRefinementBricks(*m_Mask, m_Changes.get(), m_Threads);
+}
+
+DelaunayRefinementOracle::RegionType
+DelaunayRefinementLatticeOracle::GetRegion(std::int32_t x, std::int32_t y, std::int32_t z) const
+{
+  if (m_Smoothed != nullptr)
+  {
+    const IndexType padded{ x + 1, y + 1, z + 1 };
+    if (m_Smoothed->Has(padded))
+    {
+      return m_Smoothed->GetRegion(padded);
+    }
+  }
+  return this->GetVoxelRegion(x, y, z);
+}
+
+double
+DelaunayRefinementLatticeOracle::GetValue(std::int32_t x, std::int32_t y, std::int32_t z) const
+{
+  if (m_Smoothed != nullptr)
+  {
+    const IndexType padded{ x + 1, y + 1, z + 1 };
+    return m_Smoothed->Has(padded) ? m_Smoothed->GetWeight(padded) - 0.5 : m_Mask->Get(x, y, z) ? 0.5 : -0.5;
+  }
+  const auto & size = m_Mask->GetSize();
+  return this->GetVoxelValue(
+    std::clamp(x, 0, size[0] - 1), std::clamp(y, 0, size[1] - 1), std::clamp(z, 0, size[2] - 1));
+}
+
+DelaunayRefinementRegionsCell
+DelaunayRefinementLatticeOracle::MakeSmoothedCell(const IndexType & cell) const
+{
+  DelaunayRefinementRegionsCell content;
+  for (unsigned int i = 0; i < 8; ++i)
+  {
+    const IndexType padded{ cell[0] + static_cast<std::int32_t>(i & 1u),
+                            cell[1] + static_cast<std::int32_t>(i >> 1 & 1u),
+                            cell[2] + static_cast<std::int32_t>(i >> 2) };
+    if (m_Smoothed->Has(padded))
+    {
+      m_Smoothed->AddWeights(padded, i, content);
+    }
+    else if (m_Mask->Get(padded[0] - 1, padded[1] - 1, padded[2] - 1))
+    {
+      content.Add(this->GetVoxelRegion(padded[0] - 1, padded[1] - 1, padded[2] - 1), i, 1.0);
+    }
+  }
+  return content;
+}
+} // end namespace itk
