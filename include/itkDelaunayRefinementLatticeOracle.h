@@ -106,6 +106,15 @@ public:
   void
   SplitSurfacePatch(const SurfacePatchIdentifier & patch, SurfacePatches & parts) const override;
 
+  SurfaceCells::AxesType
+  GetCellAxes() const override;
+
+  SurfaceCells
+  GetCellsOfPatch(const SurfacePatches::PatchType & patch) const override;
+
+  void
+  AppendCells(const SurfaceCells & cells, SurfacePatches & patches) const override;
+
   bool
   FindPointOfPatch(const SurfacePatchIdentifier & patch, PointType & point) const override;
 
@@ -315,8 +324,14 @@ private:
   SurfacePatches::ShapeType
   MakeShapeOfCubes(std::uint64_t cubes, double cubeSize) const;
 
+  /** The octants of a patch within a cell that may hold surface. */
+  unsigned int
+  GetOctants(const SurfacePatchIdentifier & patch) const;
+
   void
   SplitBrick(const SurfacePatchIdentifier & patch, SurfacePatches & parts) const;
+  void
+  AddCell(const SurfacePatchIdentifier & cell, const std::array<float, 3> & corner, SurfacePatches & patches) const;
   void
   SplitCell(const SurfacePatchIdentifier & patch, SurfacePatches & parts) const;
 
@@ -359,6 +374,7 @@ private:
   std::array<PointType, 3>                                    m_InverseRows{};
   std::array<PointType, 3>                                    m_Gram{};
   double                                                      m_LeastStretch{ 1.0 };
+  PointType                                                   m_CellEdges{}; // along the axes of GetCellAxes()
   std::vector<CellShapesType>                                 m_CellShapes{};
   std::array<std::array<float, 3>, 8>                         m_CornerOffsets{};
   std::unique_ptr<DelaunayRefinementVoxelMask>                m_Mask;

@@ -18,7 +18,7 @@
 #ifndef itkDelaunayRefinementOracle_h
 #define itkDelaunayRefinementOracle_h
 
-#include "itkDelaunayRefinementSurfacePatches.h"
+#include "itkDelaunayRefinementSurfaceCells.h"
 
 namespace itk
 {
@@ -60,6 +60,9 @@ public:
   /** By this the oracle knows one of them. */
   using SurfacePatchIdentifier = DelaunayRefinementSurfacePatches::IdentifierType;
 
+  /** What a patch consists of. */
+  using SurfaceCells = DelaunayRefinementSurfaceCells;
+
   virtual ~DelaunayRefinementOracle();
 
   /** The region that contains the point, 0 if it is outside. */
@@ -94,6 +97,18 @@ public:
   /** Appends patches that together cover what a patch covers, within its box, each at most about half as large. */
   virtual void
   SplitSurfacePatch(const SurfacePatchIdentifier & patch, SurfacePatches & parts) const = 0;
+
+  /** The axes of all cells. Default: those of space. */
+  virtual SurfaceCells::AxesType
+  GetCellAxes() const;
+
+  /** The cells of a patch. Many at once are covered as fast as one. Default: one, the patch itself. */
+  virtual SurfaceCells
+  GetCellsOfPatch(const SurfacePatches::PatchType & patch) const;
+
+  /** Appends some of the cells that GetCellsOfPatch() gave, as patches. Default: with the cells' boxes. */
+  virtual void
+  AppendCells(const SurfaceCells & cells, SurfacePatches & patches) const;
 
   /** Finds a point of the surface in the ball of a patch; false if the patch turns out to hold none. */
   virtual bool

@@ -30,9 +30,9 @@ namespace itk
 /** \class DelaunayRefinementSurfacePatches
  * \brief Pieces of a surface, each with a box and a ball around it.
  *
- * There may be many, and they are compared many at once: boxes are kept in single precision, relative to an origin
- * nearby, one array for each number. In the arrays centers are off by as much as rounding of their distance from the
- * origin makes them, GetRounding(); Get() gives boxes and balls that are larger by that.
+ * There may be many: boxes are kept in single precision, relative to an origin nearby, one array for each number. In
+ * the arrays centers are off by as much as rounding of their distance from the origin makes them, GetRounding(); Get()
+ * gives boxes and balls that are larger by that.
  *
  * \ingroup DelaunayRefinement
  */
@@ -101,21 +101,20 @@ public:
   void
   Reserve(std::size_t numberOfPatches)
   {
-    const std::size_t capacity = numberOfPatches + BlockSize + 1;
-    if (capacity <= m_Capacity)
+    if (numberOfPatches <= m_Capacity)
     {
       return;
     }
-    DelaunayRefinementArray<float>          numbers(NumbersPerPatch * capacity);
-    DelaunayRefinementArray<IdentifierType> identifiers(capacity);
+    DelaunayRefinementArray<float>          numbers(NumbersPerPatch * numberOfPatches);
+    DelaunayRefinementArray<IdentifierType> identifiers(numberOfPatches);
     for (std::size_t i = 0; i < NumbersPerPatch; ++i)
     {
-      std::copy_n(m_Numbers.data() + i * m_Capacity, m_Size, numbers.data() + i * capacity);
+      std::copy_n(m_Numbers.data() + i * m_Capacity, m_Size, numbers.data() + i * numberOfPatches);
     }
     std::copy_n(m_Identifiers.data(), m_Size, identifiers.data());
     m_Numbers.swap(numbers);
     m_Identifiers.swap(identifiers);
-    m_Capacity = capacity;
+    m_Capacity = numberOfPatches;
   }
 
   /** The box and the ball of a patch, relative to a corner that many patches may share. */
@@ -161,7 +160,7 @@ public:
   void
   Add(const ShapeType & shape, const std::array<float, 3> & corner, const IdentifierType & identifier)
   {
-    if (m_Size + BlockSize >= m_Capacity)
+    if (m_Size == m_Capacity)
     {
       this->Grow();
     }
@@ -188,7 +187,7 @@ public:
   void
   Add(const DelaunayRefinementSurfacePatches & other, std::size_t number)
   {
-    if (m_Size + BlockSize >= m_Capacity)
+    if (m_Size == m_Capacity)
     {
       this->Grow();
     }
@@ -248,9 +247,6 @@ public:
   {
     return m_Identifiers[number];
   }
-
-  /** The arrays below are longer than there are patches, by this at least. */
-  static constexpr std::size_t BlockSize = 8;
 
   /** Coordinate \c axis of all centers, from the origin (mm). */
   const float *

@@ -42,6 +42,27 @@ FindDelaunayRefinementBit(std::uint64_t word)
   return CountDelaunayRefinementBits((word & (~word + 1)) - 1);
 #endif
 }
+
+/** The numbers, 0 to 3, that occur along an axis among the cubes of a word: bit x + 4 y + 16 z is cube (x, y, z). */
+inline unsigned int
+GetDelaunayRefinementLayers(std::uint64_t cubes, unsigned int axis)
+{
+  if (axis == 2)
+  {
+    return (cubes & 0xFFFFu ? 1u : 0u) | (cubes >> 16 & 0xFFFFu ? 2u : 0u) | (cubes >> 32 & 0xFFFFu ? 4u : 0u) |
+           (cubes >> 48 ? 8u : 0u);
+  }
+  std::uint64_t slice = cubes | cubes >> 32;
+  slice |= slice >> 16; // bit x + 4 y
+  if (axis == 0)
+  {
+    slice |= slice >> 8;
+    return static_cast<unsigned int>(slice | slice >> 4) & 15u;
+  }
+  slice |= slice >> 1;
+  slice |= slice >> 2; // bit 4 y
+  return static_cast<unsigned int>((slice & 1u) | (slice >> 3 & 2u) | (slice >> 6 & 4u) | (slice >> 9 & 8u));
+}
 } // end namespace itk
 
 #endif

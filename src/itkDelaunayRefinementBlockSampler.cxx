@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "itkDelaunayRefinementBlockSampler.h"
 
+#include "itkDelaunayRefinementBits.h"
+
 #include <algorithm>
 #include <cstdlib>
 #include <numeric>
@@ -26,6 +28,7 @@ namespace itk
 namespace
 {
 using Geometry = DelaunayRefinementGeometry;
+using CellsType = DelaunayRefinementSurfaceCells;
 
 /** R1 inserts points at this share of delta from others, so that what is left over is certainly within delta. */
 constexpr double Separation = 0.98;
@@ -43,13 +46,11 @@ constexpr std::int32_t GreatestIndex = 1 << 30;
 /** More vertices around a group make it worth looking for those around each patch. */
 constexpr std::size_t MostNearbyPoints = 64;
 
-/** Patches no larger than this share of delta are sampled in a random order, which keeps the sample sparse. */
-constexpr double SampledPatch = 0.75;
+/** The radius of a word's cells over delta, at most. */
+constexpr double SampledCell = 0.75;
 
-/** So many patches that follow each other, and lie close together, are shuffled: they fit into a cache. */
-constexpr std::size_t ShuffledPatches = 4096;
-
-/** A part is sampled if its center is no further than this share of its radius inside the covered part of space. */
+/** A part of a cell is sampled if its center is no further than this share of its radius inside the covered part of
+ * space. */
 constexpr double HopefulShare = 0.35;
 
 /** What rounding to single precision may add to this share of delta's distances is no matter between vertices. */
@@ -64,6 +65,17 @@ MayBeSplit(const DelaunayRefinementSurfacePatches::IdentifierType & patch)
   return patch.level < DeepestLevel &&
          std::all_of(
            patch.index.begin(), patch.index.end(), [](std::int32_t index) { return std::abs(index) < GreatestIndex; });
+}
+
+/** One of a word's bits, each as likely as the others. */
+unsigned int
+ChooseBit(std::uint64_t word, std::uint64_t random)
+{
+  for (std::uint64_t skipped = random % CountDelaunayRefinementBits(word); skipped > 0; --skipped)
+  {
+    word &= word - 1;
+  }
+  return FindDelaunayRefinementBit(word);
 }
 } // namespace
 
@@ -82,10 +94,10 @@ DelaunayRefinementBlockSampler::DelaunayRefinementBlockSampler(const DelaunayRef
 {}
 
 void
-DelaunayRefinementBlockSampler::MakeRandomOrder(std::size_t begin, std::size_t length, std::mt19937_64 & random)
+DelaunayRefinementBlockSampler::MakeRandomOrder(std::size_t length, std::mt19937_64 & random)
 {
   m_Order.resize(length);
-  std::iota(m_Order.begin(), m_Order.end(), static_cast<std::uint32_t>(begin));
+  std::iota(m_Order.begin(), m_Order.end(), 0u);
   // Written out, as the standard leaves the outcome of std::shuffle open.
   for (std::size_t i = length; i > 1; --i)
   {
@@ -121,16 +133,13 @@ DelaunayRefinementBlockSampler::Collect(const PatchesType & roots, std::size_t n
   {
     return;
   }
-  PatchesType &                  patches = block.marks.GetPatches();
-  DelaunayRefinementArray<float> deltas;
-  patches.Clear(roots.GetOrigin());
-  patches.Reserve(8 * (block.end - block.begin));
+  block.words.Start(roots.GetOrigin(), m_Oracle.GetCellAxes());
   for (std::uint32_t i = block.begin; i < block.end; ++i)
   {
-    GroupType &         group = m_Cover.GetGroup(i);
+    auto &              group = m_Cover.GetGroup(i);
     const std::uint32_t root = m_Cover.GetRoot(i);
-    group.begin = static_cast<std::uint32_t>(patches.GetSize());
-    group.isUniform = this->IsUniform(roots.Get(root));
+    const bool          isUniform = this->IsUniform(roots.Get(root));
+    group.begin = static_cast<std::uint32_t>(block.words.GetSize());
     m_Wholes.Clear(roots.GetOrigin());
     m_Wholes.Add(roots, root);
     while (m_Wholes.GetSize() > 0)
@@ -142,22 +151,21 @@ DelaunayRefinementBlockSampler::Collect(const PatchesType & roots, std::size_t n
       m_Parts.Clear(roots.GetOrigin());
       for (std::size_t j = 0; j < m_Wholes.GetSize(); ++j)
       {
-        const double delta = this->GetLeastDelta(m_Wholes, j, group.isUniform);
-        if (m_Wholes.GetRadii()[j] > SampledPatch * delta && MayBeSplit(m_Wholes.GetIdentifier(j)))
+        const double delta = this->GetLeastDelta(m_Wholes, j, isUniform);
+        const auto   cells = m_Oracle.GetCellsOfPatch(m_Wholes.Get(j));
+        if (DelaunayRefinementSurfaceWords::GetCellRadius(cells) > SampledCell * delta && MayBeSplit(cells.first))
         {
           m_Oracle.SplitSurfacePatch(m_Wholes.GetIdentifier(j), m_Parts);
         }
-        else
+        else if (cells.bits != 0)
         {
-          patches.Add(m_Wholes, j);
-          deltas.push_back(static_cast<float>(delta));
+          block.words.Add(cells, delta, delta == m_LocalDelta.GetMaximum());
         }
       }
       std::swap(m_Wholes, m_Parts);
     }
-    group.end = static_cast<std::uint32_t>(patches.GetSize());
+    group.end = static_cast<std::uint32_t>(block.words.GetSize());
   }
-  block.marks.Start(m_Cover.GetExtent(), HopefulShare, std::move(deltas));
 }
 
 void
@@ -165,7 +173,7 @@ DelaunayRefinementBlockSampler::Enter(std::size_t number)
 {
   auto & block = m_Cover.GetBlock(number);
   m_Block = number;
-  m_Marks = &block.marks;
+  m_Words = &block.words;
   const double reach = m_LocalDelta.GetMaximum();
   PointType    center;
   PointType    halfExtents;
@@ -209,23 +217,31 @@ std::vector<DelaunayRefinementBlockSampler::PointType>
 DelaunayRefinementBlockSampler::Sample(std::size_t number)
 {
   this->Enter(number);
-  const PatchesType & patches = m_Marks->GetPatches();
-  std::mt19937_64     random(patches.GetSize());
-  for (std::size_t begin = 0; begin < patches.GetSize(); begin += ShuffledPatches)
+  std::mt19937_64 random(m_Words->GetSize());
+  this->MakeRandomOrder(m_Words->GetSize(), random);
+  // A cell of each word in turn, until none is left.
+  while (!m_Order.empty() && m_MayVisit(m_Order.size()))
   {
-    this->MakeRandomOrder(begin, std::min(ShuffledPatches, patches.GetSize() - begin), random);
-    if (!m_MayVisit(m_Order.size()))
-    {
-      break;
-    }
+    std::size_t length = 0;
     for (const std::uint32_t i : m_Order)
     {
-      if (!m_Marks->IsCoveredOrNear(i) &&
-          this->SamplePatch(patches.GetIdentifier(i), m_LocalDelta.IsUniform(), m_Vertices) == OutcomeEnum::EMPTY)
+      WordType & word = m_Words->GetWord(i);
+      word.hopeful &= word.uncovered;
+      if (word.hopeful == 0)
       {
-        m_Marks->SetCovered(i);
+        continue;
       }
+      const unsigned int  bit = ChooseBit(word.hopeful, random());
+      const std::uint64_t cell = std::uint64_t{ 1 } << bit;
+      word.hopeful &= ~cell;
+      if (this->SamplePatch(CellsType::GetPatch(word.first, bit), word.isUniform, m_Vertices) == OutcomeEnum::EMPTY)
+      {
+        word.uncovered &= ~cell;
+      }
+      m_Order[length] = i;
+      length += word.hopeful != 0 ? 1 : 0;
     }
+    m_Order.resize(length);
   }
   return this->Leave();
 }
@@ -234,11 +250,10 @@ std::vector<DelaunayRefinementBlockSampler::PointType>
 DelaunayRefinementBlockSampler::Cover(std::size_t number)
 {
   this->Enter(number);
-  const auto & block = m_Cover.GetBlock(number);
-  bool         mayGoOn = true;
-  for (std::uint32_t i = block.begin; i < block.end && mayGoOn; ++i)
+  bool mayGoOn = true;
+  for (std::size_t i = 0; i < m_Words->GetSize() && mayGoOn; ++i)
   {
-    mayGoOn = this->CoverGroup(m_Cover.GetGroup(i));
+    mayGoOn = this->CoverWord(m_Words->GetWord(i));
   }
   return this->Leave();
 }
@@ -270,74 +285,65 @@ DelaunayRefinementBlockSampler::SamplePatch(const PatchesType::IdentifierType & 
 }
 
 void
-DelaunayRefinementBlockSampler::FindNearby(const PointType & center, const PointType & halfExtents)
+DelaunayRefinementBlockSampler::FindNearby(const WordType & word, std::uint64_t cells)
 {
+  m_Words->GetBox(word, cells, m_Center, m_HalfExtents);
   m_Found.clear();
-  m_Vertices.FindWithinOfBox(center, halfExtents, m_LocalDelta.GetMaximum(), m_Found);
+  m_Vertices.FindWithinOfBox(m_Center, m_HalfExtents, m_LocalDelta.GetMaximum(), m_Found);
 }
 
 bool
-DelaunayRefinementBlockSampler::CoverGroup(const GroupType & group)
+DelaunayRefinementBlockSampler::CoverWord(const WordType & word)
 {
-  std::uint32_t begin = group.begin;
-  while (begin < group.end && m_Marks->IsCovered(begin))
-  {
-    ++begin;
-  }
-  if (begin == group.end)
+  if (word.uncovered == 0)
   {
     return true;
   }
-  this->FindNearby(group.center, group.halfExtents);
+  this->FindNearby(word, word.uncovered);
   if (m_Found.size() <= MostNearbyPoints)
   {
-    return this->CoverPatches(group);
+    return this->CoverCells(word, word.uncovered);
   }
-  // Delta is small against the group: one patch at a time has fewer around it.
-  for (std::uint32_t i = begin; i < group.end; ++i)
+  // Delta is small against the word: one cell at a time has fewer around it.
+  bool mayGoOn = true;
+  for (std::uint64_t cells = word.uncovered; cells != 0 && mayGoOn; cells &= (cells - 1) & word.uncovered)
   {
-    if (!m_Marks->IsCovered(i))
-    {
-      const PatchType patch = m_Marks->GetPatches().Get(i);
-      this->FindNearby(patch.center, patch.halfExtents);
-      if (!this->CoverPatches({ patch.center, patch.halfExtents, i, i + 1, group.isUniform }))
-      {
-        return false;
-      }
-    }
+    const std::uint64_t cell = cells & ~(cells - 1);
+    this->FindNearby(word, cell);
+    mayGoOn = this->CoverCells(word, cell);
   }
-  return true;
+  return mayGoOn;
 }
 
 bool
-DelaunayRefinementBlockSampler::CoverPatches(const GroupType & group)
+DelaunayRefinementBlockSampler::CoverCells(const WordType & word, std::uint64_t cells)
 {
-  const double extent = std::sqrt(Geometry::Dot(group.halfExtents, group.halfExtents));
+  const double extent = std::sqrt(Geometry::Dot(m_HalfExtents, m_HalfExtents));
   const bool   isPrecise =
     PatchesType::GetRounding(extent + m_LocalDelta.GetMaximum()) < NegligibleShare * m_LocalDelta.GetMinimum();
-  m_Nearby.Start(group.center, extent);
+  m_Nearby.Start(m_Center, extent);
   std::for_each(m_Found.begin(), m_Found.end(), [this](const PointType & vertex) { m_Nearby.Add(vertex); });
-  m_Parts.Clear(group.center);
-  const PatchesType & patches = m_Marks->GetPatches();
-  for (std::size_t i = group.begin; i < group.end; ++i)
+  m_Wholes.Clear(m_Center);
+  m_Parts.Clear(m_Center);
+  m_Oracle.AppendCells(m_Words->GetCells(word, cells), m_Wholes);
+  for (std::size_t i = 0; i < m_Wholes.GetSize(); ++i)
   {
-    if (!m_Marks->IsCovered(i) &&
-        !m_Nearby.DoTwoCover(patches.Get(i), this->GetLeastDelta(patches, i, group.isUniform)))
+    if (!m_Nearby.DoTwoCover(m_Wholes.Get(i), this->GetLeastDelta(m_Wholes, i, word.isUniform)))
     {
-      m_Oracle.SplitSurfacePatch(patches.GetIdentifier(i), m_Parts);
+      m_Oracle.SplitSurfacePatch(m_Wholes.GetIdentifier(i), m_Parts);
     }
   }
   while (m_Parts.GetSize() > 0)
   {
     std::swap(m_Wholes, m_Parts);
-    m_Parts.Clear(group.center);
+    m_Parts.Clear(m_Center);
     if (!m_MayVisit(m_Wholes.GetSize()))
     {
       return false;
     }
     for (std::size_t i = 0; i < m_Wholes.GetSize(); ++i)
     {
-      const double delta = this->GetLeastDelta(m_Wholes, i, group.isUniform);
+      const double delta = this->GetLeastDelta(m_Wholes, i, word.isUniform);
       const auto   answer = m_Nearby.Ask(m_Wholes, i, delta, HopefulShare);
       if (answer == AnswerEnum::COVERED || (answer == AnswerEnum::NEAR && m_Nearby.DoTwoCover(m_Wholes.Get(i), delta)))
       {
@@ -348,8 +354,8 @@ DelaunayRefinementBlockSampler::CoverPatches(const GroupType & group)
       if (answer == AnswerEnum::FAR || isSmallest)
       {
         const auto &      patch = m_Wholes.GetIdentifier(i);
-        const OutcomeEnum outcome = isPrecise ? this->SamplePatch(patch, group.isUniform, m_Nearby)
-                                              : this->SamplePatch(patch, group.isUniform, m_Vertices);
+        const OutcomeEnum outcome = isPrecise ? this->SamplePatch(patch, word.isUniform, m_Nearby)
+                                              : this->SamplePatch(patch, word.isUniform, m_Vertices);
         if (outcome == OutcomeEnum::INSERTED)
         {
           m_Nearby.Add(m_Vertices.GetPoints().back());

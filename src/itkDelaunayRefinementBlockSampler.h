@@ -28,9 +28,9 @@
 namespace itk
 {
 /** \class DelaunayRefinementBlockSampler
- * \brief Rule R1 in blocks of the surface's patches, one after the other: the work of one thread.
+ * \brief Rule R1 in blocks of the surface, one after the other: the work of one thread.
  *
- * What it inserts depends on the block's marks and on the vertices there were when it started with the block, not on
+ * What it inserts depends on the block's words and on the vertices there were when it started with the block, not on
  * what other threads do meanwhile in blocks of the same color.
  *
  * \ingroup DelaunayRefinement
@@ -53,21 +53,21 @@ public:
                                  DelaunayRefinementPatchCover &       cover,
                                  const MayVisitType &                 mayVisit);
 
-  /** Splits a block's part of the surface into patches that are small against delta; \c roots are the oracle's. */
+  /** Splits a block's part of the surface until its cells are small against delta; \c roots are the oracle's. */
   void
   Collect(const PatchesType & roots, std::size_t block);
 
-  /** Inserts points of patches in a random order, which keeps the sample sparse, and returns them. */
+  /** Inserts points of cells in a random order, which keeps the sample sparse, and returns them. */
   std::vector<PointType>
   Sample(std::size_t block);
 
-  /** Covers all patches that are not yet, and returns the points it inserts for that. */
+  /** Covers all cells that are not yet, and returns the points it inserts for that. */
   std::vector<PointType>
   Cover(std::size_t block);
 
 private:
   using PatchType = PatchesType::PatchType;
-  using GroupType = DelaunayRefinementPatchCover::GroupType;
+  using WordType = DelaunayRefinementSurfaceWords::WordType;
   using AnswerEnum = DelaunayRefinementNearbyPoints::AnswerEnum;
 
   /** Whether no component with a lower delta reaches into a patch. */
@@ -90,17 +90,17 @@ private:
   OutcomeEnum
   SamplePatch(const PatchesType::IdentifierType & patch, bool isUniform, const TVertices & vertices);
 
-  /** Covers all patches of a group that are not yet, by splitting them again and again. */
+  /** Covers all cells of a word that are not yet. */
   bool
-  CoverGroup(const GroupType & group);
+  CoverWord(const WordType & word);
 
-  /** The same for some patches of a group, within a box. */
+  /** Covers some cells of a word, by splitting them again and again. */
   bool
-  CoverPatches(const GroupType & patches);
+  CoverCells(const WordType & word, std::uint64_t cells);
 
-  /** The feature vertices that may cover what lies in a box. */
+  /** The feature vertices that may cover some cells of a word. */
   void
-  FindNearby(const PointType & center, const PointType & halfExtents);
+  FindNearby(const WordType & word, std::uint64_t cells);
 
   /** Starts with the vertices around a block. */
   void
@@ -114,9 +114,8 @@ private:
   std::vector<PointType>
   Leave() const;
 
-  /** Of the numbers from \c begin. */
   void
-  MakeRandomOrder(std::size_t begin, std::size_t length, std::mt19937_64 & random);
+  MakeRandomOrder(std::size_t length, std::mt19937_64 & random);
 
   const DelaunayRefinementOracle &     m_Oracle;
   const DelaunayRefinementLocalDelta & m_LocalDelta;
@@ -126,15 +125,17 @@ private:
   MayVisitType                         m_MayVisit;
 
   // Of the block.
-  std::size_t                    m_Block{ 0 };
-  DelaunayRefinementPatchMarks * m_Marks{ nullptr };
-  DelaunayRefinementPointGrid    m_Vertices{}; // those around it first
-  std::size_t                    m_NumberOfOldVertices{ 0 };
+  std::size_t                      m_Block{ 0 };
+  DelaunayRefinementSurfaceWords * m_Words{ nullptr };
+  DelaunayRefinementPointGrid      m_Vertices{}; // those around it first
+  std::size_t                      m_NumberOfOldVertices{ 0 };
 
   // Scratch of single calls.
   std::vector<std::uint32_t>     m_Order{};
   PatchesType                    m_Wholes{};
   PatchesType                    m_Parts{};
+  PointType                      m_Center{}; // of the box around which m_Found was
+  PointType                      m_HalfExtents{};
   std::vector<PointType>         m_Found{};
   DelaunayRefinementNearbyPoints m_Nearby{};
 };

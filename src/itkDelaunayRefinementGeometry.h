@@ -60,6 +60,21 @@ public:
     return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
   }
 
+  /** The vectors whose products with three others are 1 for their own and 0 for the rest. */
+  static std::array<PointType, 3>
+  Invert(const std::array<PointType, 3> & vectors)
+  {
+    std::array<PointType, 3> inverse{ Cross(vectors[1], vectors[2]),
+                                      Cross(vectors[2], vectors[0]),
+                                      Cross(vectors[0], vectors[1]) };
+    const double             determinant = Dot(vectors[0], inverse[0]);
+    for (PointType & vector : inverse)
+    {
+      vector = { vector[0] / determinant, vector[1] / determinant, vector[2] / determinant };
+    }
+    return inverse;
+  }
+
   static double
   SquaredDistance(const PointType & a, const PointType & b)
   {

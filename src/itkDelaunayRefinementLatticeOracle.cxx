@@ -63,17 +63,13 @@ DelaunayRefinementLatticeOracle::Initialize(ModelEnum                           
   m_Model = model;
   m_Frame = frame;
   const auto & axes = frame.axes;
-  const double determinant = Geometry::Dot(axes[0], Geometry::Cross(axes[1], axes[2]));
-  m_InverseRows = { Geometry::Cross(axes[1], axes[2]),
-                    Geometry::Cross(axes[2], axes[0]),
-                    Geometry::Cross(axes[0], axes[1]) };
+  m_InverseRows = Geometry::Invert(axes);
   m_LatticeOrigin = frame.origin;
   for (unsigned int i = 0; i < 3; ++i)
   {
     m_LatticeOrigin = Geometry::AddScaled(m_LatticeOrigin, -1.0, axes[i]);
     for (unsigned int j = 0; j < 3; ++j)
     {
-      m_InverseRows[i][j] /= determinant;
       m_Gram[i][j] = Geometry::Dot(axes[i], axes[j]);
     }
   }
@@ -82,6 +78,14 @@ DelaunayRefinementLatticeOracle::Initialize(ModelEnum                           
   };
   // Rounding errors of a direction matrix are no shear.
   constexpr double noShear = 1e-12;
+  // No eigenvalue is greater than the greatest sum of a row.
+  const double cosines[3] = { std::abs(cosine(0, 1)), std::abs(cosine(0, 2)), std::abs(cosine(1, 2)) };
+  const double greatestStretch =
+    1.0 + std::max({ cosines[0] + cosines[1], cosines[0] + cosines[2], cosines[1] + cosines[2] });
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    m_CellEdges[i] = std::sqrt((greatestStretch + noShear) * m_Gram[i][i]);
+  }
   m_LeastStretch = std::max(0.0, ComputeLeastEigenvalue(cosine(0, 1), cosine(0, 2), cosine(1, 2)) - noShear);
   m_Mask = std::make_unique<DelaunayRefinementVoxelMask>(std::move(mask));
   m_Components = std::make_unique<DelaunayRefinementVoxelComponents>(std::move(components));

@@ -34,6 +34,16 @@ constexpr std::uint64_t LowestEighth = 0x0000000000330033u;
 constexpr std::uint64_t Eighths[8] = { LowestEighth,       LowestEighth << 2,  LowestEighth << 8,  LowestEighth << 10,
                                        LowestEighth << 32, LowestEighth << 34, LowestEighth << 40, LowestEighth << 42 };
 
+constexpr unsigned int AllOctants = 0xFF;
+
+/** The edge of a patch, in cells. */
+double
+GetSize(unsigned int level)
+{
+  return static_cast<double>(std::uint64_t{ 1 } << DelaunayRefinementLatticeOracle::CellLevel) /
+         static_cast<double>(std::uint64_t{ 1 } << level);
+}
+
 PointType
 ToPoint(const std::array<std::int32_t, 3> & index, double scale)
 {
@@ -56,6 +66,14 @@ GatherOctants(std::uint64_t quarters, const std::array<std::int32_t, 3> & eighth
 {
   const std::uint64_t bits = quarters >> (2 * (eighth[0] & 1) + 8 * (eighth[1] & 1) + 32 * (eighth[2] & 1));
   return static_cast<unsigned int>((bits & 3u) | (bits >> 2 & 12u) | (bits >> 12 & 48u) | (bits >> 14 & 192u));
+}
+
+/** Octants, by number, as one of the eighths of 4 x 4 x 4 cubes. */
+std::uint64_t
+ScatterOctants(std::uint64_t octants, std::int32_t eighth)
+{
+  const std::uint64_t bits = (octants & 3u) | (octants & 12u) << 2 | (octants & 48u) << 12 | (octants & 192u) << 14;
+  return bits << (2 * (eighth & 1) + 8 * (eighth >> 1 & 1) + 32 * (eighth >> 2));
 }
 
 /** Three numbers in [0, 1) that depend on the arguments alone. */
@@ -106,13 +124,9 @@ DelaunayRefinementLatticeOracle::SplitSurfacePatch(const SurfacePatchIdentifier 
     this->SplitCell(patch, parts);
     return;
   }
-  const DelaunayRefinementPlace place = FindDelaunayRefinementPlace(patch);
-  const unsigned int configuration = patch.level == CellLevel + 1 ? this->GetIndicatorConfiguration(place.cell) : 0;
-  const unsigned int octants =
-    configuration != 0 ? GatherOctants(DelaunayRefinementIndicatorCell::Get(configuration).quarters, patch.index)
-                       : this->FindOctants(place.cell, place.corner, place.size);
-  const double quarter = 0.25 * place.size;
-  const auto   shape = this->MakeShape({ quarter, quarter, quarter }, { quarter, quarter, quarter });
+  const unsigned int octants = this->GetOctants(patch);
+  const double       quarter = 0.25 * GetSize(patch.level);
+  const auto         shape = this->MakeShape({ quarter, quarter, quarter }, { quarter, quarter, quarter });
   for (std::int32_t i = 0; i < 8; ++i)
   {
     if (octants >> i & 1u)
@@ -120,6 +134,104 @@ DelaunayRefinementLatticeOracle::SplitSurfacePatch(const SurfacePatchIdentifier 
       const SurfacePatchIdentifier child = GetChild(patch, i);
       parts.Add(shape, parts.MakeCorner(this->ToPhysical(ToPoint(child.index, 2.0 * quarter))), child);
     }
+  }
+}
+
+unsigned int
+DelaunayRefinementLatticeOracle::GetOctants(const SurfacePatchIdentifier & patch) const
+{
+  if (patch.level == CellLevel)
+  {
+    if (const unsigned int configuration = this->GetIndicatorConfiguration(patch.index))
+    {
+      return m_CellShapes[configuration].octants;
+    }
+    return m_Model == ModelEnum::NEAREST || m_Model == ModelEnum::FIELD
+             ? AllOctants
+             : this->FindOctants(patch.index, { 0.0, 0.0, 0.0 }, 1.0);
+  }
+  const DelaunayRefinementPlace place = FindDelaunayRefinementPlace(patch);
+  const unsigned int configuration = patch.level == CellLevel + 1 ? this->GetIndicatorConfiguration(place.cell) : 0;
+  return configuration != 0 ? GatherOctants(DelaunayRefinementIndicatorCell::Get(configuration).quarters, patch.index)
+                            : this->FindOctants(place.cell, place.corner, place.size);
+}
+
+DelaunayRefinementOracle::SurfaceCells::AxesType
+DelaunayRefinementLatticeOracle::GetCellAxes() const
+{
+  SurfaceCells::AxesType axes = m_InverseRows;
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    axes[i] = { m_CellEdges[i] * axes[i][0], m_CellEdges[i] * axes[i][1], m_CellEdges[i] * axes[i][2] };
+  }
+  return axes;
+}
+
+DelaunayRefinementOracle::SurfaceCells
+DelaunayRefinementLatticeOracle::GetCellsOfPatch(const SurfacePatches::PatchType & patch) const
+{
+  const SurfacePatchIdentifier & whole = patch.identifier;
+  SurfaceCells                   cells;
+  cells.first = { { 4 * whole.index[0], 4 * whole.index[1], 4 * whole.index[2] },
+                  static_cast<std::uint8_t>(whole.level + 2) };
+  cells.margin = 0.0;
+  const double size = GetSize(cells.first.level);
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    cells.corner[i] = m_CellEdges[i] * (Geometry::Dot(m_InverseRows[i], m_LatticeOrigin) + size * cells.first.index[i]);
+    cells.edges[i] = size * m_CellEdges[i];
+  }
+  if (whole.level == 0)
+  {
+    cells.bits = m_Bricks->GetCells(whole.index);
+    return cells;
+  }
+  cells.bits = 0;
+  const unsigned int octants = whole.level < CellLevel ? AllOctants : this->GetOctants(whole);
+  for (std::int32_t i = 0; i < 8; ++i)
+  {
+    const SurfacePatchIdentifier child = GetChild(whole, i);
+    if ((octants >> i & 1u) && (whole.level >= CellLevel || m_Bricks->IsActiveCell(child.index)))
+    {
+      cells.bits |= ScatterOctants(this->GetOctants(child), i);
+    }
+  }
+  return cells;
+}
+
+void
+DelaunayRefinementLatticeOracle::AppendCells(const SurfaceCells & cells, SurfacePatches & patches) const
+{
+  const unsigned int level = cells.first.level;
+  const double       half = 0.5 * GetSize(level);
+  const auto         cube = this->MakeShape({ half, half, half }, { half, half, half });
+  for (std::uint64_t bits = cells.bits; bits != 0; bits &= bits - 1)
+  {
+    const SurfacePatchIdentifier patch = SurfaceCells::GetPatch(cells.first, FindDelaunayRefinementBit(bits));
+    const auto                   corner = patches.MakeCorner(this->ToPhysical(ToPoint(patch.index, 2.0 * half)));
+    if (level == CellLevel)
+    {
+      this->AddCell(patch, corner, patches);
+    }
+    else
+    {
+      patches.Add(cube, corner, patch);
+    }
+  }
+}
+
+void
+DelaunayRefinementLatticeOracle::AddCell(const SurfacePatchIdentifier & cell,
+                                         const std::array<float, 3> &   corner,
+                                         SurfacePatches &               patches) const
+{
+  if (const unsigned int configuration = this->GetIndicatorConfiguration(cell.index))
+  {
+    patches.Add(m_CellShapes[configuration].cell, corner, cell);
+  }
+  else if (const std::uint64_t quarters = this->GetQuarters(cell.index))
+  {
+    patches.Add(this->MakeShapeOfCubes(quarters, 0.25), corner, cell);
   }
 }
 
@@ -145,20 +257,12 @@ DelaunayRefinementLatticeOracle::SplitBrick(const SurfacePatchIdentifier & patch
   for (std::int32_t i = 0; i < 8; ++i)
   {
     const SurfacePatchIdentifier child = GetChild(patch, i);
-    const IndexType &            cell = child.index;
-    if (cells >> DelaunayRefinementBricks::GetBit(cell) & 1u)
+    if (cells >> DelaunayRefinementBricks::GetBit(child.index) & 1u)
     {
       const std::array<float, 3> corner{ first[0] + m_CornerOffsets[i][0],
                                          first[1] + m_CornerOffsets[i][1],
                                          first[2] + m_CornerOffsets[i][2] };
-      if (const unsigned int configuration = this->GetIndicatorConfiguration(cell))
-      {
-        parts.Add(m_CellShapes[configuration].cell, corner, child);
-      }
-      else if (const std::uint64_t quarters = this->GetQuarters(cell))
-      {
-        parts.Add(this->MakeShapeOfCubes(quarters, 0.25), corner, child);
-      }
+      this->AddCell(child, corner, parts);
     }
   }
 }
@@ -242,26 +346,16 @@ DelaunayRefinementLatticeOracle::MakeShape(const PointType & center, const Point
 DelaunayRefinementOracle::SurfacePatches::ShapeType
 DelaunayRefinementLatticeOracle::MakeShapeOfCubes(std::uint64_t cubes, double cubeSize) const
 {
-  // The numbers, 0 to 3, that occur along each axis.
-  std::uint64_t layers = cubes | cubes >> 32;
-  layers |= layers >> 16; // bit x + 4 y
-  const std::uint64_t rows = layers | layers >> 8;
-  const std::uint64_t columns = layers | layers >> 1;
-  const std::uint64_t pairs = columns | columns >> 2; // bit 4 y
-  const std::uint32_t numbers[3] = { static_cast<std::uint32_t>(rows | rows >> 4) & 15u,
-                                     static_cast<std::uint32_t>((pairs & 1u) | (pairs >> 3 & 2u) | (pairs >> 6 & 4u) |
-                                                                (pairs >> 9 & 8u)),
-                                     (cubes & 0xFFFFu ? 1u : 0u) | (cubes >> 16 & 0xFFFFu ? 2u : 0u) |
-                                       (cubes >> 32 & 0xFFFFu ? 4u : 0u) | (cubes >> 48 ? 8u : 0u) };
-  // Twice the middle of the first and the last number, and how many there are between them, by number.
+  // Twice the middle of the first and the last number along an axis, and how many there are from one to the other.
   constexpr std::uint8_t middles[16] = { 4, 1, 3, 2, 5, 3, 4, 3, 7, 4, 5, 4, 6, 4, 5, 4 };
   constexpr std::uint8_t lengths[16] = { 4, 1, 1, 2, 1, 3, 2, 3, 1, 4, 3, 4, 2, 4, 3, 4 };
   PointType              center;
   PointType              extents;
   for (unsigned int i = 0; i < 3; ++i)
   {
-    center[i] = 0.5 * cubeSize * middles[numbers[i]];
-    extents[i] = 0.5 * cubeSize * lengths[numbers[i]];
+    const unsigned int numbers = GetDelaunayRefinementLayers(cubes, i);
+    center[i] = 0.5 * cubeSize * middles[numbers];
+    extents[i] = 0.5 * cubeSize * lengths[numbers];
   }
   return this->MakeShape(center, extents);
 }

@@ -17,6 +17,11 @@
  *=========================================================================*/
 #include "itkDelaunayRefinementOracle.h"
 
+#include "itkDelaunayRefinementBits.h"
+#include "itkDelaunayRefinementGeometry.h"
+
+#include <cmath>
+
 namespace itk
 {
 DelaunayRefinementOracle::~DelaunayRefinementOracle() = default;
@@ -26,6 +31,50 @@ DelaunayRefinementOracle::IsSurfaceWithin(const PointType & point, double distan
 {
   PointType closest;
   return this->FindClosestSurfacePoint(point, distance, closest);
+}
+
+DelaunayRefinementOracle::SurfaceCells::AxesType
+DelaunayRefinementOracle::GetCellAxes() const
+{
+  return { PointType{ 1.0, 0.0, 0.0 }, PointType{ 0.0, 1.0, 0.0 }, PointType{ 0.0, 0.0, 1.0 } };
+}
+
+DelaunayRefinementOracle::SurfaceCells
+DelaunayRefinementOracle::GetCellsOfPatch(const SurfacePatches::PatchType & patch) const
+{
+  using Geometry = DelaunayRefinementGeometry;
+  return { 1,
+           patch.identifier,
+           Geometry::Subtract(patch.center, patch.halfExtents),
+           Geometry::AddScaled(patch.halfExtents, 1.0, patch.halfExtents),
+           0.0 };
+}
+
+void
+DelaunayRefinementOracle::AppendCells(const SurfaceCells & cells, SurfacePatches & patches) const
+{
+  using Geometry = DelaunayRefinementGeometry;
+  const auto   directions = Geometry::Invert(this->GetCellAxes());
+  const double radius = 0.5 * std::sqrt(Geometry::Dot(cells.edges, cells.edges)) + 3.0 * cells.margin;
+  PointType    halfExtents{};
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    for (unsigned int j = 0; j < 3; ++j)
+    {
+      halfExtents[j] += (0.5 * cells.edges[i] + cells.margin) * std::abs(directions[i][j]);
+    }
+  }
+  for (std::uint64_t bits = cells.bits; bits != 0; bits &= bits - 1)
+  {
+    const auto patch = SurfaceCells::GetPatch(cells.first, FindDelaunayRefinementBit(bits));
+    PointType  center{};
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      const double place = cells.corner[i] + (patch.index[i] - cells.first.index[i] + 0.5) * cells.edges[i];
+      center = Geometry::AddScaled(center, place, directions[i]);
+    }
+    patches.Add(center, halfExtents, radius, patch);
+  }
 }
 
 DelaunayRefinementOracle::SurfacePatches

@@ -59,11 +59,7 @@ DelaunayRefinementPatchCover::DelaunayRefinementPatchCover(const PatchesType & r
   }
   m_GreatestReach = greatestDelta + largest;
   const PointType extent = Geometry::Subtract(maximum, m_Minimum);
-  const auto      getExtent = [&](const PointType & corner) {
-    return Geometry::Distance(corner, roots.GetOrigin()) + 2.0 * m_GreatestReach;
-  };
-  m_Extent = std::max(getExtent(m_Minimum), getExtent(maximum)) + Geometry::Distance(m_Minimum, maximum);
-  double     size = CubeSize * m_GreatestReach;
+  double          size = CubeSize * m_GreatestReach;
   const auto count = [&] { return (1.0 + extent[0] / size) * (1.0 + extent[1] / size) * (1.0 + extent[2] / size); };
   while (!(count() < 64.0 + MostCubesPerGroup * static_cast<double>(roots.GetSize())))
   {
@@ -127,10 +123,7 @@ DelaunayRefinementPatchCover::SortGroups(const PatchesType & roots)
   m_Groups.resize(cubes.size());
   for (std::uint32_t i = 0; i < cubes.size(); ++i)
   {
-    const std::uint32_t place = next[cubes[i]]++;
-    const auto          root = roots.Get(i);
-    m_Roots[place] = i;
-    m_Groups[place] = { root.center, root.halfExtents, 0, 0, true };
+    m_Roots[next[cubes[i]]++] = i;
   }
   for (std::size_t number = 0; number < m_Blocks.size(); ++number)
   {
@@ -141,11 +134,11 @@ DelaunayRefinementPatchCover::SortGroups(const PatchesType & roots)
     block.maximum.fill(-std::numeric_limits<double>::infinity());
     for (std::uint32_t i = block.begin; i < block.end; ++i)
     {
+      const auto root = roots.Get(m_Roots[i]);
       for (unsigned int axis = 0; axis < 3; ++axis)
       {
-        const GroupType & group = m_Groups[i];
-        block.minimum[axis] = std::min(block.minimum[axis], group.center[axis] - group.halfExtents[axis]);
-        block.maximum[axis] = std::max(block.maximum[axis], group.center[axis] + group.halfExtents[axis]);
+        block.minimum[axis] = std::min(block.minimum[axis], root.center[axis] - root.halfExtents[axis]);
+        block.maximum[axis] = std::max(block.maximum[axis], root.center[axis] + root.halfExtents[axis]);
       }
     }
   }
@@ -163,7 +156,7 @@ DelaunayRefinementPatchCover::GetColors() const
       colors[(place[0] & 1) | (place[1] & 1) << 1 | (place[2] & 1) << 2].push_back(number);
     }
   }
-  const auto getSize = [this](std::uint32_t number) { return m_Blocks[number].marks.GetPatches().GetSize(); };
+  const auto getSize = [this](std::uint32_t number) { return m_Blocks[number].words.GetSize(); };
   for (auto & blocks : colors)
   {
     std::stable_sort(blocks.begin(), blocks.end(), [&](std::uint32_t left, std::uint32_t right) {
@@ -199,7 +192,7 @@ DelaunayRefinementPatchCover::CoverFrom(const PointType & vertex)
     {
       for (std::int32_t x = cubes.first[0] / m_BlockSize[0]; x <= cubes.last[0] / m_BlockSize[0]; ++x)
       {
-        this->Cover(vertex, cubes, this->ToBlock({ x, y, z }), false);
+        this->Cover(vertex, cubes, this->ToBlock({ x, y, z }));
       }
     }
   }
@@ -229,15 +222,14 @@ DelaunayRefinementPatchCover::CoverFrom(const PointType & vertex, std::size_t bl
       {
         const std::ptrdiff_t offset =
           (static_cast<std::ptrdiff_t>(z) * m_BlocksPerAxis[1] + y) * m_BlocksPerAxis[0] + x;
-        // Others may mark the patches around this block, but not its own.
-        this->Cover(vertex, cubes, block + offset, offset != 0);
+        this->Cover(vertex, cubes, block + offset);
       }
     }
   }
 }
 
 void
-DelaunayRefinementPatchCover::Cover(const PointType & vertex, const RangeType & cubes, std::size_t number, bool isExact)
+DelaunayRefinementPatchCover::Cover(const PointType & vertex, const RangeType & cubes, std::size_t number)
 {
   BlockType & block = m_Blocks[number];
   CubeType    first;
@@ -257,12 +249,12 @@ DelaunayRefinementPatchCover::Cover(const PointType & vertex, const RangeType & 
     const std::uint32_t * row = starts + (static_cast<std::size_t>(z) * m_BlockSize[1] + first[1]) * m_BlockSize[0];
     for (std::int32_t y = first[1]; y <= last[1]; ++y)
     {
-      // The groups of a row of cubes follow each other, and so do their patches.
+      // The groups of a row of cubes follow each other, and so do their words.
       const std::uint32_t begin = row[first[0]];
       const std::uint32_t end = row[last[0] + 1];
       if (begin < end)
       {
-        block.marks.CoverFrom(vertex, m_Groups[begin].begin, m_Groups[end - 1].end, isExact);
+        block.words.CoverFrom(vertex, m_Groups[begin].begin, m_Groups[end - 1].end);
       }
       row += m_BlockSize[0];
     }

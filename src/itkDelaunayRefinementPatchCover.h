@@ -19,16 +19,16 @@
 #define itkDelaunayRefinementPatchCover_h
 
 #include "itkDelaunayRefinementGeometry.h"
-#include "itkDelaunayRefinementPatchMarks.h"
+#include "itkDelaunayRefinementSurfaceWords.h"
 
 namespace itk
 {
 /** \class DelaunayRefinementPatchCover
- * \brief All patches of a surface, in a grid, so that a vertex finds those that it covers.
+ * \brief All words of a surface, in a grid, so that a vertex finds those that it covers.
  *
- * Patches come in groups, the parts of one larger patch each, and groups in blocks: boxes of cubes of the grid. Blocks
- * are so large that vertices in two of one color never cover patches of the same cube, so threads can work at them at
- * the same time: each reads and writes the patches of its own block, and marks those around it.
+ * Words come in groups, those of one patch each, and groups in blocks: boxes of cubes of the grid. Blocks are so large
+ * that vertices in two of one color never cover words of the same cube, so threads can work at them at the same time:
+ * each reads and writes the words of its own block, and clears cells of those around it.
  *
  * \ingroup DelaunayRefinement
  */
@@ -41,14 +41,11 @@ public:
 
   static constexpr std::size_t NumberOfColors = 8;
 
-  /** The parts of a patch: \c begin to \c end (not included) of its block's patches. */
+  /** The words of a patch: \c begin to \c end (not included) of its block's. */
   struct GroupType
   {
-    PointType     center;
-    PointType     halfExtents;
     std::uint32_t begin;
     std::uint32_t end;
-    bool          isUniform; // the caller's
   };
 
   struct BlockType
@@ -63,7 +60,7 @@ public:
     PointType     minimum;
     PointType     maximum;
 
-    DelaunayRefinementPatchMarks marks;
+    DelaunayRefinementSurfaceWords words;
   };
 
   /** The larger patches, and the greatest delta there is. */
@@ -82,7 +79,7 @@ public:
     return m_Blocks[number];
   }
 
-  /** The blocks with patches, those with most of them first, by color. */
+  /** The blocks with words, those with most of them first, by color. */
   std::array<std::vector<std::uint32_t>, NumberOfColors>
   GetColors() const;
 
@@ -99,14 +96,7 @@ public:
     return m_Groups[number];
   }
 
-  /** All that vertices can reach lies within this distance of the patches' origin. */
-  double
-  GetExtent() const
-  {
-    return m_Extent;
-  }
-
-  /** Marks all patches that a vertex covers. */
+  /** Clears all cells that a vertex covers. */
   void
   CoverFrom(const PointType & vertex);
 
@@ -121,7 +111,7 @@ private:
     CubeType last; // included
   };
 
-  /** The cubes with all patches that a vertex may cover. */
+  /** The cubes of all groups that a vertex may cover. */
   RangeType
   FindReach(const PointType & vertex) const
   {
@@ -140,9 +130,9 @@ private:
   void
   SortGroups(const PatchesType & roots);
 
-  /** Marks the patches of one block in some cubes, and perhaps others of the block unless \c isExact. */
+  /** Clears cells of one block, in some cubes. */
   void
-  Cover(const PointType & vertex, const RangeType & cubes, std::size_t block, bool isExact);
+  Cover(const PointType & vertex, const RangeType & cubes, std::size_t block);
 
   /** Of a block among the blocks. */
   CubeType
@@ -171,7 +161,6 @@ private:
   }
 
   double                     m_GreatestReach{ 0.0 };
-  double                     m_Extent{ 0.0 };
   double                     m_CubesPerLength{ 1.0 };
   PointType                  m_Minimum{};
   CubeType                   m_Size{};

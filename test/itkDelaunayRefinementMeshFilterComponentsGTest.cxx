@@ -240,7 +240,8 @@ TEST(DelaunayRefinementMeshFilterComponents, EachOfManyIsFoundOrNamed)
       }
     }
   }
-  const auto filter = MakeFilter(MakeVoxels(size, voxels).GetPointer(), 4.0);
+  constexpr double delta = 4.0;
+  const auto       filter = MakeFilter(MakeVoxels(size, voxels).GetPointer(), delta);
   filter->Update();
   EXPECT_EQ(filter->GetComponents().size(), 1 + numberOfCubes + numberOfSingles);
   EXPECT_GT(numberOfCubes, 64u);
@@ -249,7 +250,10 @@ TEST(DelaunayRefinementMeshFilterComponents, EachOfManyIsFoundOrNamed)
   for (std::uint32_t i = 0; i < filter->GetComponents().size(); ++i)
   {
     const bool isMissing = std::find(missing.begin(), missing.end(), i) != missing.end();
-    EXPECT_EQ(points.FindDistance(filter->GetComponents()[i].firstVoxel) > 2.0, isMissing) << "component " << i;
+    // A corner of the block may be as far as delta from all points.
+    const auto & component = filter->GetComponents()[i];
+    const double nearby = component.numberOfVoxels > 8 ? delta : 2.0;
+    EXPECT_EQ(points.FindDistance(component.firstVoxel) > nearby, isMissing) << "component " << i;
   }
   EXPECT_GT(missing.size(), 0u);
   EXPECT_LE(missing.size(), numberOfSingles);

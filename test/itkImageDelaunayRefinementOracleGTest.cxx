@@ -183,6 +183,11 @@ TEST_P(ImageOracle, CoversTheSurfaceWithPatches)
   ExpectBoxBound(oracle, surface);
 }
 
+TEST_P(ImageOracle, CellsOfPatchesAreThePartsOfTheirParts)
+{
+  ExpectCellsArePartsOfParts(OracleType(m_Image, m_Object, m_Interpolator));
+}
+
 INSTANTIATE_TEST_SUITE_P(Images,
                          ImageOracle,
                          ::testing::Values(OracleCase{ "LinearMask", Content::MASK, false, false },
@@ -290,6 +295,16 @@ TEST(ImageDelaunayRefinementOracle, ComponentsAreNumberedAndBounded)
   EXPECT_LT(components[left].inscribedRadius, 4.0 + OneVoxel);
   EXPECT_GT(components[right].inscribedRadius, 1.0);
   EXPECT_LT(components[right].inscribedRadius, 3.0 + OneVoxel);
+}
+
+TEST(ImageDelaunayRefinementOracle, CellsOfAShearedImageAreThePartsOfTheirParts)
+{
+  ImageGeometry geometry = MakeCubeGeometry(12);
+  geometry.direction(0, 1) = 0.4;
+  geometry.direction(1, 2) = -0.3;
+  geometry.direction(0, 2) = 0.2;
+  const auto image = MakeImage<float>(geometry, [](const PointType & point) { return Norm(point) < 3.0 ? 1.0 : 0.0; });
+  ExpectCellsArePartsOfParts(OracleType(image, ObjectType()));
 }
 
 TEST(ImageDelaunayRefinementOracle, SurfaceInTheFacesOfPatchesIsInOneOfThem)

@@ -244,6 +244,73 @@ ExpectFirstCrossings(const DelaunayRefinementOracle & oracle,
   EXPECT_LE(numberOfMisses, ends.size() / 50);
 }
 
+/** The cells of a patch, whole and split once or twice, are the parts of its parts. */
+inline void
+ExpectCellsArePartsOfParts(const DelaunayRefinementOracle & oracle)
+{
+  using PatchesType = DelaunayRefinementOracle::SurfacePatches;
+  const auto getIndexes = [](const PatchesType & patches) {
+    std::vector<std::array<std::int32_t, 3>> indexes;
+    for (std::size_t i = 0; i < patches.GetSize(); ++i)
+    {
+      indexes.push_back(patches.GetIdentifier(i).index);
+    }
+    std::sort(indexes.begin(), indexes.end());
+    return indexes;
+  };
+  // Distances are no shorter along the axes.
+  const auto                             axes = oracle.GetCellAxes();
+  std::mt19937                           random(1);
+  std::uniform_real_distribution<double> coordinate(-1.0, 1.0);
+  for (unsigned int i = 0; i < 1000; ++i)
+  {
+    const PointType vector{ coordinate(random), coordinate(random), coordinate(random) };
+    const PointType along{ Dot(axes[0], vector), Dot(axes[1], vector), Dot(axes[2], vector) };
+    EXPECT_GE(Norm(along), (1.0 - 1e-12) * Norm(vector));
+  }
+  PatchesType patches = oracle.GetSurfacePatches();
+  for (unsigned int split = 0; split < 3; ++split)
+  {
+    SCOPED_TRACE("after splitting " + std::to_string(split) + " times");
+    PatchesType parts(patches.GetOrigin());
+    std::size_t numberOfDifferences = 0;
+    std::size_t numberOfStrayCells = 0;
+    for (std::size_t i = 0; i < patches.GetSize(); ++i)
+    {
+      const auto  patch = patches.Get(i);
+      const auto  cells = oracle.GetCellsOfPatch(patch);
+      PatchesType found(patch.center);
+      oracle.AppendCells(cells, found);
+      PatchesType expected(patch.center);
+      PatchesType halves(patch.center);
+      oracle.SplitSurfacePatch(patch.identifier, halves);
+      for (std::size_t j = 0; j < halves.GetSize(); ++j)
+      {
+        oracle.SplitSurfacePatch(halves.GetIdentifier(j), expected);
+      }
+      numberOfDifferences += getIndexes(found) != getIndexes(expected) ? 1 : 0;
+      for (std::size_t j = 0; j < found.GetSize(); ++j)
+      {
+        const auto cell = found.Get(j);
+        bool       isStray = cell.identifier.level != cells.first.level;
+        for (unsigned int axis = 0; axis < 3; ++axis)
+        {
+          const double place = (Dot(axes[axis], cell.center) - cells.corner[axis]) / cells.edges[axis] -
+                               (cell.identifier.index[axis] - cells.first.index[axis]);
+          isStray = isStray || place < -1e-4 || place > 1.0 + 1e-4;
+        }
+        const double radius = 0.5 * Norm(cells.edges);
+        isStray = isStray || cell.radius > (1.0 + 1e-4) * radius;
+        numberOfStrayCells += isStray ? 1 : 0;
+      }
+      oracle.SplitSurfacePatch(patch.identifier, parts);
+    }
+    EXPECT_EQ(numberOfDifferences, 0u);
+    EXPECT_EQ(numberOfStrayCells, 0u);
+    patches = std::move(parts);
+  }
+}
+
 /** The patches that hold a point, whole and split a few times, cover the surface. */
 inline void
 ExpectPatchesCoverSurface(const DelaunayRefinementOracle & oracle,

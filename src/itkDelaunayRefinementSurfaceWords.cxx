@@ -1,0 +1,194 @@
+/*=========================================================================
+ *
+ *  Copyright The DelaunayRefinement Contributors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkDelaunayRefinementSurfaceWords.h"
+
+#include "itkDelaunayRefinementBits.h"
+#include "itkDelaunayRefinementGeometry.h"
+#include "itkDelaunayRefinementWideLoops.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace itk
+{
+namespace
+{
+using Geometry = DelaunayRefinementGeometry;
+
+std::uint64_t
+Join(std::int32_t low, std::int32_t high)
+{
+  return std::uint64_t{ static_cast<std::uint32_t>(high) } << 32 | static_cast<std::uint32_t>(low);
+}
+} // namespace
+
+void
+DelaunayRefinementSurfaceWords::Start(const PointType & origin, const AxesType & axes)
+{
+  m_Axes = axes;
+  m_InverseAxes = Geometry::Invert(axes);
+  m_Origin = {};
+  m_Origin = this->ToAxes(origin);
+  m_Words.clear();
+}
+
+DelaunayRefinementSurfaceWords::PointType
+DelaunayRefinementSurfaceWords::ToAxes(const PointType & point) const
+{
+  return { Geometry::Dot(m_Axes[0], point) - m_Origin[0],
+           Geometry::Dot(m_Axes[1], point) - m_Origin[1],
+           Geometry::Dot(m_Axes[2], point) - m_Origin[2] };
+}
+
+void
+DelaunayRefinementSurfaceWords::Add(const CellsType & cells, double delta, bool isUniform)
+{
+  WordType word{ cells.bits, cells.bits, cells.first, {}, {}, 0.0f, isUniform };
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    word.corner[i] = static_cast<float>(cells.corner[i] - m_Origin[i]);
+    word.edges[i] = static_cast<float>(cells.edges[i]);
+  }
+  // Coordinates of vertices that cover any of it are no greater than its own and delta.
+  const double reach = delta - GetRounding(word) - Roundings * delta - cells.margin;
+  word.squaredReach = static_cast<float>(reach * std::abs(reach));
+  m_Words.push_back(word);
+}
+
+ITK_DELAUNAY_REFINEMENT_WIDE_LOOPS
+void
+DelaunayRefinementSurfaceWords::CoverFrom(const PointType & vertex, std::size_t begin, std::size_t end)
+{
+  constexpr std::int32_t side = CellsType::CellsPerSide;
+  const PointType        place = this->ToAxes(vertex);
+  for (std::size_t number = begin; number < end; ++number)
+  {
+    WordType & word = m_Words[number];
+    if ((word.uncovered | word.hopeful) == 0)
+    {
+      continue;
+    }
+    float offsets[3];
+    float squaredDistance = 0.0f;
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      const float half = 0.5f * side * word.edges[i];
+      offsets[i] = static_cast<float>(place[i]) - word.corner[i];
+      const float beyond = std::abs(offsets[i] - half) - half;
+      const float positive = 0.5f * (beyond + std::abs(beyond));
+      squaredDistance += positive * positive;
+    }
+    if (squaredDistance > word.squaredReach)
+    {
+      continue;
+    }
+    // Along each axis, to the centers and to the furthest points.
+    float squares[3][side];
+    float furthests[3][side];
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      for (std::int32_t j = 0; j < side; ++j)
+      {
+        const float distance = std::abs(offsets[i] - (static_cast<float>(j) + 0.5f) * word.edges[i]);
+        const float furthest = distance + 0.5f * word.edges[i];
+        squares[i][j] = distance * distance;
+        furthests[i][j] = furthest * furthest;
+      }
+    }
+    // For each row of cells along z, what is left of the reach.
+    float rows[side * side];
+    float furthestRows[side * side];
+    for (std::int32_t i = 0; i < side * side; ++i)
+    {
+      rows[i] = word.squaredReach - (squares[0][i % side] + squares[1][i / side]);
+      furthestRows[i] = word.squaredReach - (furthests[0][i % side] + furthests[1][i / side]);
+    }
+    const float  z[side] = { squares[2][0], squares[2][1], squares[2][2], squares[2][3] };
+    const float  furthestZ[side] = { furthests[2][0], furthests[2][1], furthests[2][2], furthests[2][3] };
+    std::int32_t within[2] = { 0, 0 };
+    std::int32_t covered[2] = { 0, 0 };
+    // Compilers do several rows at once; GCC 12 unless it writes out the loop before.
+#ifdef __GNUC__
+#  pragma GCC unroll 1
+#endif
+    for (std::int32_t i = 0; i < side * side; ++i)
+    {
+      const std::int32_t low = 1 << i;
+      const auto         high = static_cast<std::int32_t>(0x10000u << i);
+      within[0] |= (z[0] <= rows[i] ? low : 0) | (z[1] <= rows[i] ? high : 0);
+      within[1] |= (z[2] <= rows[i] ? low : 0) | (z[3] <= rows[i] ? high : 0);
+      covered[0] |= (furthestZ[0] <= furthestRows[i] ? low : 0) | (furthestZ[1] <= furthestRows[i] ? high : 0);
+      covered[1] |= (furthestZ[2] <= furthestRows[i] ? low : 0) | (furthestZ[3] <= furthestRows[i] ? high : 0);
+    }
+    word.hopeful &= ~Join(within[0], within[1]);
+    word.uncovered &= ~Join(covered[0], covered[1]);
+  }
+}
+
+double
+DelaunayRefinementSurfaceWords::GetRounding(const WordType & word)
+{
+  double extent = 0.0;
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    extent += std::abs(word.corner[i]) + CellsType::CellsPerSide * word.edges[i];
+  }
+  return Roundings * extent;
+}
+
+double
+DelaunayRefinementSurfaceWords::GetCellRadius(const CellsType & cells)
+{
+  return 0.5 * std::sqrt(Geometry::Dot(cells.edges, cells.edges));
+}
+
+DelaunayRefinementSurfaceWords::CellsType
+DelaunayRefinementSurfaceWords::GetCells(const WordType & word, std::uint64_t cells) const
+{
+  CellsType result{ cells, word.first, {}, {}, GetRounding(word) };
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    result.corner[i] = m_Origin[i] + word.corner[i];
+    result.edges[i] = word.edges[i];
+  }
+  return result;
+}
+
+void
+DelaunayRefinementSurfaceWords::GetBox(const WordType & word,
+                                       std::uint64_t    cells,
+                                       PointType &      center,
+                                       PointType &      halfExtents) const
+{
+  center.fill(0.0);
+  halfExtents.fill(0.0);
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    const unsigned int layers = GetDelaunayRefinementLayers(cells, i);
+    const double       first = FindDelaunayRefinementBit(layers);
+    const double       end = layers >= 8 ? 4.0 : layers >= 4 ? 3.0 : layers >= 2 ? 2.0 : 1.0;
+    const double       middle = m_Origin[i] + word.corner[i] + 0.5 * (first + end) * word.edges[i];
+    const double       half = 0.5 * (end - first) * word.edges[i];
+    for (unsigned int j = 0; j < 3; ++j)
+    {
+      center[j] += middle * m_InverseAxes[i][j];
+      halfExtents[j] += std::abs(half * m_InverseAxes[i][j]);
+    }
+  }
+}
+} // end namespace itk

@@ -1,0 +1,105 @@
+/*=========================================================================
+ *
+ *  Copyright The DelaunayRefinement Contributors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkDelaunayRefinementSurfaceWords_h
+#define itkDelaunayRefinementSurfaceWords_h
+
+#include "itkDelaunayRefinementOracle.h"
+
+namespace itk
+{
+/** \class DelaunayRefinementSurfaceWords
+ * \brief Pieces of a surface, 64 cells each at most: the bits of words, cleared once vertices cover them.
+ *
+ * Compared in single precision; a little less is covered than could be.
+ *
+ * \ingroup DelaunayRefinement
+ */
+class DelaunayRefinementSurfaceWords
+{
+public:
+  using PointType = DelaunayRefinementPoint;
+  using PatchesType = DelaunayRefinementSurfacePatches;
+  using CellsType = DelaunayRefinementOracle::SurfaceCells;
+  using AxesType = DelaunayRefinementOracle::SurfaceCells::AxesType;
+
+  struct WordType
+  {
+    std::uint64_t               uncovered;
+    std::uint64_t               hopeful; // whose centers are beyond the reach of all vertices
+    PatchesType::IdentifierType first;
+    std::array<float, 3>        corner; // along the axes, from the origin
+    std::array<float, 3>        edges;
+    float                       squaredReach; // of vertices, less what is lost to rounding
+    bool                        isUniform;    // the caller's
+  };
+
+  /** Forgets all words. The nearer they are to \c origin, the less is lost to rounding. */
+  void
+  Start(const PointType & origin, const AxesType & axes);
+
+  /** A word of cells that vertices within \c delta cover; none is covered as yet. */
+  void
+  Add(const CellsType & cells, double delta, bool isUniform);
+
+  /** Clears the cells that a vertex covers in the words \c begin to \c end (not included). */
+  void
+  CoverFrom(const PointType & vertex, std::size_t begin, std::size_t end);
+
+  std::size_t
+  GetSize() const
+  {
+    return m_Words.size();
+  }
+
+  WordType &
+  GetWord(std::size_t number)
+  {
+    return m_Words[number];
+  }
+
+  /** Half the greatest distance within a cell, or a little more. */
+  static double
+  GetCellRadius(const CellsType & cells);
+
+  /** Some cells of a word, for its oracle. */
+  CellsType
+  GetCells(const WordType & word, std::uint64_t cells) const;
+
+  /** A box around some cells of a word. */
+  void
+  GetBox(const WordType & word, std::uint64_t cells, PointType & center, PointType & halfExtents) const;
+
+private:
+  /** More than is lost to any rounding here. */
+  static constexpr float Roundings = 8.0f * std::numeric_limits<float>::epsilon();
+
+  /** No less than what rounding does to the coordinates of a word, and of points in it. */
+  static double
+  GetRounding(const WordType & word);
+
+  PointType
+  ToAxes(const PointType & point) const;
+
+  AxesType                          m_Axes{};
+  AxesType                          m_InverseAxes{}; // what it is in space to go one along an axis
+  PointType                         m_Origin{};      // along the axes
+  DelaunayRefinementArray<WordType> m_Words{};
+};
+} // end namespace itk
+
+#endif
