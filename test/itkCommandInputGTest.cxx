@@ -138,7 +138,10 @@ TEST_F(CommandInput, WordsOfTheFilterBecomeOptions)
   ExpectRefusal(this->Run(distances, { "--iso-value", "500" }), 1, { "--iso-value", "500" });
 
   const std::string nested = WriteMetaImage(m_Folder / "nested.mha", MakeNestedBalls());
-  ExpectRefusal(this->Run(nested), 1, { "--labels", "--merge-labels" });
+  ExpectRefusal(this->Run(nested, { "--delta-for", "9=1" }), 1, { "9", "--delta-for" });
+  ExpectRefusal(this->Run(nested, { "--smoothing", "1", "--iso-value", "2" }), 1, { "--smoothing", "--iso-value" });
+  ExpectRefusal(
+    this->Run(nested, { "--smoothing", "1", "--interpolator", "nearest" }), 1, { "--smoothing", "--interpolator" });
   ExpectRefusal(this->Run(nested, { "--labels", "9" }), 1, { "9", "--labels" });
   ExpectRefusal(this->Run(nested, { "--labels", "4711" }), 1, { "4711", "255", "--labels" });
   ExpectRefusal(

@@ -195,6 +195,34 @@ TEST_F(CommandResult, Labels)
   EXPECT_EQ(merged.at("tetrahedra"), both.at("tetrahedra"));
 }
 
+TEST_F(CommandResult, TissuesShareTheirInterfaces)
+{
+  const Json report = this->Run(MakeNestedBalls(), { "--delta", "2", "--strict" });
+  EXPECT_EQ(this->LabelRange(), (std::array<double, 2>{ { 3.0, 200.0 } }));
+  EXPECT_EQ(report.at("labels"), Json({ 3, 200 }));
+  EXPECT_EQ(report.at("missing_labels"), Json::array());
+  const Json finer = this->Run(MakeNestedBalls(), { "--delta", "2", "--delta-for", "200=1" });
+  EXPECT_GT(finer.at("tetrahedra"), report.at("tetrahedra"));
+  EXPECT_EQ(finer.at("parameters").at("delta_for"), Json({ { 200, 1.0 } }));
+  const Json smooth = this->Run(MakeNestedBalls(), { "--delta", "2", "--smoothing", "0.8" });
+  EXPECT_EQ(smooth.at("parameters").at("smoothing"), 0.8);
+  EXPECT_EQ(smooth.at("lowered_smoothings"), Json::array());
+}
+
+TEST_F(CommandResult, MissingLabelsAreNamed)
+{
+  // One voxel within the ball.
+  TestVolume<std::uint8_t> volume;
+  volume.AddBall({ { 11.5, 11.5, 11.5 } }, 9.0, 3);
+  volume.AddBall({ { 11.0, 11.0, 11.0 } }, 0.5, 7);
+  const Json report = this->Run(volume, { "--delta", "6" });
+  ASSERT_EQ(this->LabelRange(), (std::array<double, 2>{ { 3.0, 3.0 } }));
+  EXPECT_EQ(report.at("missing_labels"), Json({ 7 }));
+  ASSERT_EQ(report.at("missing_components").size(), 1u);
+  EXPECT_EQ(report.at("missing_components")[0].at("label"), 7);
+  EXPECT_EQ(report.at("missing_components")[0].at("voxels"), 1);
+}
+
 TEST_F(CommandResult, ThresholdsMayBeNegative)
 {
   const Json ball = this->Run(MakeDistances(), { "--threshold", "-8", "--delta", "2" });

@@ -89,17 +89,21 @@ and direction apply), with the label inside each tetrahedron as cell data.
 ttype=(type(image), itk.Mesh[itk.F, 3]) asks for the other type of mesh; both
 store coordinates as float, and the guarantees hold for the stored points.
 The class, itk.DelaunayRefinementMeshFilter, also has the triangles of the
-boundary (GetBoundaryOutput) and what happened (GetWarnings,
-GetEffectiveDelta). itk.arrays_from_tetrahedral_mesh(mesh) gives NumPy arrays.
+boundary and of the interfaces between labels (GetBoundaryOutput, whose cell
+data are the larger one of the two labels that a triangle parts, and
+GetBoundaryOtherLabels, the smaller one, 0 outside) and what happened
+(GetWarnings, GetMissingLabels, GetEffectiveDelta).
+itk.arrays_from_tetrahedral_mesh(mesh) gives NumPy arrays.
 
 Lengths are in the image's physical unit, mm as a rule.
 
 What is the object (by default: every voxel of an image of integers but 0):
 
 labels : list of int, default: all but 0
-    Only voxels with these labels.
+    Only voxels with these labels. Several labels are tissues of one mesh that
+    share the triangles between them.
 merge_labels : bool, default: False
-    Several labels become one object; without it they are refused.
+    Several labels become one object, with the label 1.
 lower_threshold, upper_threshold : float, pixel values, default: unset
     Voxels in the range, ends included; one end may be left out.
 iso_value : float, pixel value, default: unset
@@ -110,12 +114,19 @@ largest_component_only : bool, default: False
     Only the 18-connected component with the most voxels.
 minimum_component_size : int, voxels, default: 1
     Smaller components are left out.
+smoothing : float, mm, default: 0.0 (off)
+    Width by which the steps of labels' voxels are smoothed; 0.5 to 1 voxel
+    takes most of them away. Volumes are kept.
+strict : bool, default: False
+    A label or a component that is missing in the mesh is an error.
 
 How fine:
 
 delta : float, mm, default: from the spacing and the size of the object
     Density of vertices on the surface: every point of it has one within
     delta. The default makes some 300,000 tetrahedra at most.
+label_deltas : dict of float by label, mm, default: none
+    Another delta for some labels.
 cell_size : float, mm, default: inf
     Upper bound on the circumradius of tetrahedra.
 radius_edge_ratio_bound : float, default: 2.0, at least 1
@@ -134,6 +145,7 @@ RuntimeError says what to change. Ctrl-C raises KeyboardInterrupt.
 // Plain structures, which ITK's wrapping does not know.
 %ignore swig_name::GetStatistics;
 %ignore swig_name::GetComponents;
+%ignore swig_name::GetLoweredSmoothings;
 %extend swig_name
 {
   %pythoncode %{
@@ -141,6 +153,12 @@ RuntimeError says what to change. Ctrl-C raises KeyboardInterrupt.
         """Run, and return the mesh of tetrahedra alone."""
         self.UpdateLargestPossibleRegion()
         return self.GetOutput()
+
+    def SetLabelDeltas(self, deltas):
+        """Another delta for some labels: a dict, by label."""
+        self.UnsetLabelDeltas()
+        for label, delta in deltas.items():
+            self.SetLabelDelta(label, delta)
   %}
 }
 %enddef

@@ -24,6 +24,8 @@ PARAMETERS = {
     "merge_labels": ("MergeLabels", True),
     "largest_component_only": ("LargestComponentOnly", True),
     "minimum_component_size": ("MinimumComponentSize", 5),
+    "smoothing": ("Smoothing", 0.5),
+    "strict": ("Strict", True),
 }
 
 
@@ -83,10 +85,40 @@ def test_keyword_sets_the_parameter(keyword):
     assert (list(got) if keyword == "labels" else got) == value
 
 
+def two_tissues():
+    values = ball_values(size=24, radius=9.0, value=7, dtype=np.uint16)
+    values[:, :, :12][values[:, :, :12] > 0] = 300
+    return make_image(values)
+
+
+def test_labels_are_tissues_that_share_triangles():
+    image = two_tissues()
+    filter = itk.DelaunayRefinementMeshFilter.New(image, delta=2.0, labels=[7, 300])
+    filter.Update()
+    mesh = arrays(filter.GetOutput())
+    assert_guarantees(mesh)
+    assert set(mesh.labels) == {7, 300}
+    assert list(filter.GetMissingLabels()) == []
+    boundary = arrays(filter.GetBoundaryOutput())
+    others = itk.array_from_vector_container(filter.GetBoundaryOtherLabels()).astype(int)
+    assert len(others) == len(boundary.labels)
+    assert set(zip(boundary.labels, others)) == {(7, 0), (300, 0), (300, 7)}
+    assert set(arrays(itk.delaunay_refinement_mesh_filter(image, delta=2.0, labels=[300])).labels) == {300}
+
+
+def test_label_deltas_and_smoothing():
+    image = two_tissues()
+    coarse = arrays(itk.delaunay_refinement_mesh_filter(image, delta=3.0))
+    fine = arrays(itk.delaunay_refinement_mesh_filter(image, delta=3.0, label_deltas={300: 1.0}, smoothing=0.8))
+    assert_guarantees(fine)
+    assert (fine.labels == 300).sum() > 4 * (coarse.labels == 300).sum()
+    assert (fine.labels == 7).sum() < (fine.labels == 300).sum()
+
+
 def test_keywords_are_all_the_setters():
     cls = itk.DelaunayRefinementMeshFilter.values()[0]
     setters = {name[3:] for name in vars(cls) if name.startswith("Set")}
-    assert setters == {name for name, _ in PARAMETERS.values()} | {"Interpolator"}
+    assert setters == {name for name, _ in PARAMETERS.values()} | {"Interpolator", "LabelDelta", "LabelDeltas"}
 
 
 def test_help_has_parameters_units_and_defaults():
@@ -95,7 +127,7 @@ def test_help_has_parameters_units_and_defaults():
     entries = {}
     for names, about in re.findall(r"^([a-z_, ]+) : (.*default: .*)$", text, flags=re.MULTILINE):
         entries.update({name: about for name in names.split(", ")})
-    assert set(entries) == set(PARAMETERS) | {"interpolator"}
+    assert set(entries) == set(PARAMETERS) | {"interpolator", "label_deltas"}
     for keyword, about in entries.items():
         default = re.search(r"default: ([^, ]+)", about).group(1)
         if re.fullmatch(r"[\d.]+|inf", default):
