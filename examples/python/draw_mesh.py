@@ -1,4 +1,5 @@
-"""Draws a mesh off screen: its surface, a cut through the interior, and the cut colored by quality.
+"""Draws a mesh off screen: its surface, a cut through the interior, and the cut colored by quality. Several labels have
+a color each.
 
 python draw_mesh.py brain.vtu brain     # brain-surface.png, brain-cut.png, brain-quality.png
 """
@@ -21,13 +22,19 @@ lengths = [np.linalg.norm(p[:, i] - p[:, j], axis=1) for i in range(4) for j in 
 grid["radius-edge ratio"] = np.linalg.norm(centers, axis=1) / np.min(lengths, axis=0)
 print(f"{grid.n_cells} tetrahedra, largest radius-edge ratio {grid['radius-edge ratio'].max():.3f}")
 
+labels = np.unique(grid["label"])
+grid["color"] = np.searchsorted(labels, grid["label"]) % 20
+plain = {"color": "#e8c8b0"}
+if len(labels) > 1:
+    plain = {"scalars": "color", "clim": (0, 20), "cmap": "tab20", "show_scalar_bar": False}
+
 # Whole tetrahedra on one side of the middle.
 cut = grid.clip("x", crinkle=True)
 surface = grid.extract_surface(algorithm="dataset_surface")
 ours = {"show_edges": True, "edge_color": "#404040", "line_width": 0.5}
 for name, what, options in (
-    ("surface", surface, {"color": "#e8c8b0", **ours}),
-    ("cut", cut, {"color": "#e8c8b0", **ours}),
+    ("surface", surface, {**plain, **ours}),
+    ("cut", cut, {**plain, **ours}),
     (
         "quality",
         cut,
