@@ -115,6 +115,15 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::VerifyGeometry(const Inp
   {
     itkExceptionMacro("The image's origin, spacing and direction must be finite numbers, the direction not singular");
   }
+  // Time and memory grow with the cube of it.
+  constexpr double largestSmoothing = 6.0;
+  const auto &     spacing = image->GetSpacing();
+  const double     least = std::min({ spacing[0], spacing[1], spacing[2] });
+  if (m_Smoothing > largestSmoothing * least)
+  {
+    itkExceptionMacro("Smoothing is " << m_Smoothing << " mm; it must be no larger than " << largestSmoothing
+                                      << " times the least spacing of the voxels, which is " << least << " mm");
+  }
 }
 
 template <typename TInputImage, typename TOutputMesh>

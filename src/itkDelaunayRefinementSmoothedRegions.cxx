@@ -285,7 +285,7 @@ DelaunayRefinementSmoothedRegions::MakeKernel(double width)
 }
 
 void
-DelaunayRefinementSmoothedRegions::FindBlocks(std::int32_t reach)
+DelaunayRefinementSmoothedRegions::FindBlocks()
 {
   m_Blocks.clear();
   m_Numbers.assign(static_cast<std::size_t>(m_NumberOfBlocks[0]) * m_NumberOfBlocks[1] * m_NumberOfBlocks[2], None);
@@ -302,8 +302,8 @@ DelaunayRefinementSmoothedRegions::FindBlocks(std::int32_t reach)
         IndexType       high;
         for (unsigned int i = 0; i < 3; ++i)
         {
-          low[i] = first[i] - reach;
-          high[i] = first[i] + BlockSize - 2 + reach;
+          low[i] = first[i] - m_Reach;
+          high[i] = first[i] + BlockSize - 2 + m_Reach;
         }
         if (m_Bricks.IsAnyActive(low, high))
         {
@@ -337,20 +337,71 @@ DelaunayRefinementSmoothedRegions::Smooth(const WidthsType & widths, DelaunayRef
     }
     kernelOf.push_back(place.first->second);
   }
-  this->FindBlocks(reach);
+  if (m_Widths.empty())
+  {
+    m_Reach = reach;
+    this->FindBlocks();
+  }
+  const std::vector<std::size_t> stale = this->FindStaleBlocks(widths);
+  m_Widths = widths;
   constexpr std::size_t blocksPerPiece = 64;
   DelaunayRefinementThreads::RunPieces(
-    threads, m_Blocks.size(), blocksPerPiece, [&](std::size_t, std::size_t begin, std::size_t end) {
+    threads, stale.size(), blocksPerPiece, [&](std::size_t, std::size_t begin, std::size_t end) {
       BlockSmoother smoother(m_Components, m_Mask, kernels, kernelOf, reach);
       for (std::size_t i = begin; i < end; ++i)
       {
-        smoother.Smooth(m_Blocks[i]);
+        BlockType & block = m_Blocks[stale[i]];
+        smoother.Smooth(block);
         for (std::size_t place = 0; place < BlockVolume; ++place)
         {
-          m_Blocks[i].regions[place] = this->IsInImage(ToVoxel(m_Blocks[i], place)) ? m_Blocks[i].regions[place] : 0;
+          block.regions[place] = this->IsInImage(ToVoxel(block, place)) ? block.regions[place] : 0;
         }
       }
     });
+}
+
+std::vector<std::size_t>
+DelaunayRefinementSmoothedRegions::FindStaleBlocks(const WidthsType & widths) const
+{
+  std::vector<bool> isStale(m_Blocks.size(), m_Widths.empty());
+  for (std::size_t i = 0; i < m_Widths.size(); ++i)
+  {
+    if (widths[i] == m_Widths[i])
+    {
+      continue;
+    }
+    const auto & info = m_Components.GetComponents()[i];
+    IndexType    first;
+    IndexType    last;
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      first[axis] = std::max(0, info.minimum[axis] + 1 - m_Reach) / BlockSize;
+      last[axis] = std::min(m_NumberOfBlocks[axis] - 1, (info.maximum[axis] + 1 + m_Reach) / BlockSize);
+    }
+    for (std::int32_t z = first[2]; z <= last[2]; ++z)
+    {
+      for (std::int32_t y = first[1]; y <= last[1]; ++y)
+      {
+        for (std::int32_t x = first[0]; x <= last[0]; ++x)
+        {
+          const std::uint32_t number = m_Numbers[this->ToOffset({ BlockSize * x, BlockSize * y, BlockSize * z })];
+          if (number != None)
+          {
+            isStale[number] = true;
+          }
+        }
+      }
+    }
+  }
+  std::vector<std::size_t> stale;
+  for (std::size_t i = 0; i < isStale.size(); ++i)
+  {
+    if (isStale[i])
+    {
+      stale.push_back(i);
+    }
+  }
+  return stale;
 }
 
 std::uint32_t

@@ -49,7 +49,8 @@ public:
                                     const DelaunayRefinementBricks &          bricks,
                                     const std::array<double, 3> &             spacing);
 
-  /** Smooths by the width of each component (mm); 0 leaves a component as it is. */
+  /** Smooths by the width of each component (mm); 0 leaves a component as it is. Again with other widths, none larger
+   * than the largest before, it only looks at what is near components whose width is another one. */
   void
   Smooth(const WidthsType & widths, DelaunayRefinementThreads * threads);
 
@@ -126,7 +127,11 @@ private:
   class BlockSmoother;
 
   void
-  FindBlocks(std::int32_t reach);
+  FindBlocks();
+
+  /** The blocks near components whose width is another one now; all the first time. */
+  std::vector<std::size_t>
+  FindStaleBlocks(const WidthsType & widths) const;
 
   std::size_t
   ToOffset(const IndexType & voxel) const
@@ -171,6 +176,8 @@ private:
   IndexType                                 m_NumberOfBlocks{};
   std::vector<std::uint32_t>                m_Numbers{};
   std::vector<BlockType>                    m_Blocks{};
+  std::int32_t                              m_Reach{ 0 }; // of the widest kernel there was, in voxels
+  WidthsType                                m_Widths{};
 };
 } // end namespace itk
 

@@ -313,6 +313,8 @@ TEST(DelaunayRefinementMeshFilterLabels, SmoothingOfWhatHasNoSteps)
   ExpectError(filter.GetPointer(), { "Smoothing" });
   filter->SetSmoothing(std::numeric_limits<double>::quiet_NaN());
   ExpectError(filter.GetPointer(), { "Smoothing" });
+  filter->SetSmoothing(7.0);
+  ExpectError(filter.GetPointer(), { "Smoothing is 7", "6 times the least spacing" });
   filter->SetSmoothing(1.0);
   filter->SetInterpolator(itk::NearestNeighborInterpolateImageFunction<ShortImageType, double>::New());
   ExpectError(filter.GetPointer(), { "Smoothing", "NearestNeighbor" });
