@@ -202,8 +202,9 @@ protected:
              DelaunayRefinementThreads *                      threads = nullptr,
              std::unique_ptr<DelaunayRefinementRegionChanges> changes = nullptr);
 
-  /** INDICATOR: smooths the indicators of all regions by a Gaussian's standard deviation (mm), each component only as
-   * far as it keeps its voxels' number but for some hundredths. To be called once, after Initialize(). */
+  /** INDICATOR: smooths the indicators of all regions by a width (mm) of at most 6 of the least spacing; components
+   * that are thinner than four widths, or would lose some hundredths of their voxels, by a half of it, a quarter, and
+   * so on. To be called once, after Initialize(). */
   void
   Smooth(double width);
 

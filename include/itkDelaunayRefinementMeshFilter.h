@@ -232,9 +232,9 @@ public:
   /** Width, in physical units (mm), by which the surface of labels or of a threshold's object is smoothed: the standard
    * deviation of a Gaussian over the voxels' indicators, as in itk::LabelImageGaussianInterpolateImageFunction, but
    * corrected so that curved surfaces don't shrink. A width of 0.5 to 1 voxel takes away most of the voxels' steps.
-   * Components that would lose voxels are smoothed by less, and are told of in the warnings. Not negative and no
-   * larger than 6 times the least spacing, else Update() throws, as it does with an iso value or with another
-   * interpolator than the linear one. Default 0: not smoothed. */
+   * Components thinner than four widths, or that would lose 3 % of their voxels, are smoothed by less, and are told of
+   * in the warnings. Not negative and no larger than 6 times the least spacing, else Update() throws, as it does with
+   * an iso value or with another interpolator than the linear one. Default 0: not smoothed. */
   /** @ITKStartGrouping */
   itkSetMacro(Smoothing, double);
   itkGetConstMacro(Smoothing, double);

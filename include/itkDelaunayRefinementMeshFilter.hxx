@@ -413,6 +413,7 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::CopyResult(const Delauna
     // Half a mesh is none.
     this->GetOutput()->Initialize();
     this->GetBoundaryOutput()->Initialize();
+    m_BoundaryOtherLabels = CellDataType::New();
     throw;
   }
 }

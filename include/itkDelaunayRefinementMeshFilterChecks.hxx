@@ -364,7 +364,8 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::VerifyLabels() const
 {
   for (const InputPixelType label : m_RegionLabels)
   {
-    if (static_cast<InputPixelType>(ToCellData(label)) != label)
+    // Long doubles hold all of both types.
+    if (static_cast<long double>(ToCellData(label)) != static_cast<long double>(label))
     {
       itkExceptionMacro("The mesh's type of cell data can't hold the label "
                         << static_cast<typename NumericTraits<InputPixelType>::PrintType>(label)
@@ -532,8 +533,8 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::WarnOfSmoothing()
       return a.first.numberOfVoxels < b.first.numberOfVoxels;
     });
   std::ostringstream text;
-  text << "Smoothing was lowered for " << m_LoweredSmoothings.size() << " components that " << m_Smoothing
-       << " mm would shrink; the largest is " << this->DescribeComponent(largest->first) << ", smoothed by "
+  text << "Smoothing was lowered for " << m_LoweredSmoothings.size() << " components that are thin or small against "
+       << m_Smoothing << " mm; the largest is " << this->DescribeComponent(largest->first) << ", smoothed by "
        << largest->second << " mm";
   m_Warnings.push_back(text.str());
 }

@@ -301,9 +301,8 @@ DelaunayRefinementLatticeOracle::GetCellRegions(const IndexType & cell) const
   {
     if (configuration >> i & 1u)
     {
-      regions[i] = m_HasRegions
-                     ? this->GetVoxelRegion(cell[0] - 1 + (i & 1), cell[1] - 1 + (i >> 1 & 1), cell[2] - 1 + (i >> 2))
-                     : 1;
+      regions[i] =
+        m_HasRegions ? this->GetRegion(cell[0] - 1 + (i & 1), cell[1] - 1 + (i >> 1 & 1), cell[2] - 1 + (i >> 2)) : 1;
     }
   }
   return regions;

@@ -15,7 +15,6 @@
  *  limitations under the License.
  *
  *=========================================================================*/
-#include "itkDelaunayRefinementGeometry.h"
 #include "itkDelaunayRefinementLatticeVisit.h"
 #include "itkDelaunayRefinementSmoothedRegions.h"
 
@@ -32,22 +31,34 @@ constexpr double LargestShareOfRadius = 0.5;
 /** A component that loses more than this share of its voxels is smoothed by half the width. */
 constexpr double LargestLoss = 0.03;
 
-/** Narrower widths, in voxels, are none. */
+/** Narrower widths, in voxels, are none; wider ones would take time and memory as their cube. */
 constexpr double LeastWidthInVoxels = 0.2;
+constexpr double LargestWidthInVoxels = 6.0;
+
+/** What a weight of one half is multiplied by, at most, to be less. */
+constexpr double LargestMirrored = 1.0 - 1e-6;
 } // namespace
 
 void
 DelaunayRefinementLatticeOracle::Smooth(double width)
 {
+  width = std::min(width, LargestWidthInVoxels * this->GetLeastSpacing());
   const std::vector<DelaunayRefinementComponent> components = this->ComputeComponents(width / LargestShareOfRadius);
   const std::array<double, 3> spacing{ std::sqrt(m_Gram[0][0]), std::sqrt(m_Gram[1][1]), std::sqrt(m_Gram[2][2]) };
   const double                leastWidth = LeastWidthInVoxels * this->GetLeastSpacing();
-  const auto                  orNone = [leastWidth](double value) { return value < leastWidth ? 0.0 : value; };
+  // Of a few widths, so that few kernels are needed.
+  const auto lower = [leastWidth](double value, double limit) {
+    while (value > limit && value >= leastWidth)
+    {
+      value *= 0.5;
+    }
+    return value < leastWidth ? 0.0 : value;
+  };
 
   std::vector<double> widths;
   for (const DelaunayRefinementComponent & component : components)
   {
-    widths.push_back(orNone(std::min(width, LargestShareOfRadius * component.inscribedRadius)));
+    widths.push_back(lower(width, LargestShareOfRadius * component.inscribedRadius));
   }
   m_Smoothed = std::make_unique<DelaunayRefinementSmoothedRegions>(*m_Mask, *m_Components, *m_Bricks, spacing);
   for (bool isDone = false; !isDone;)
@@ -60,7 +71,7 @@ DelaunayRefinementLatticeOracle::Smooth(double width)
       const double loss = -static_cast<double>(gains[i]) / static_cast<double>(components[i].numberOfVoxels);
       if (loss > LargestLoss && widths[i] > 0.0)
       {
-        widths[i] = orNone(0.5 * widths[i]);
+        widths[i] = lower(widths[i], 0.5 * widths[i]);
         isDone = false;
       }
     }
@@ -157,13 +168,19 @@ DelaunayRefinementLatticeOracle::MakeSmoothedCell(const IndexType & cell) const
     const IndexType padded{ cell[0] + static_cast<std::int32_t>(i & 1u),
                             cell[1] + static_cast<std::int32_t>(i >> 1 & 1u),
                             cell[2] + static_cast<std::int32_t>(i >> 2) };
+    const bool      isInside = m_Mask->Get(padded[0] - 1, padded[1] - 1, padded[2] - 1);
     if (m_Smoothed->Has(padded))
     {
-      m_Smoothed->AddWeights(padded, i, content);
+      // The mask prevails: in the outer layer, and where components were removed, weights are mirrored about one half.
+      const double weight = m_Smoothed->GetWeight(padded);
+      const bool   isMirrored = !isInside && weight >= 0.5;
+      m_Smoothed->SetWeights(
+        padded, i, isMirrored ? std::clamp((1.0 - weight) / weight, 0.0, LargestMirrored) : 1.0, content);
     }
-    else if (m_Mask->Get(padded[0] - 1, padded[1] - 1, padded[2] - 1))
+    else if (isInside)
     {
       content.Add(this->GetVoxelRegion(padded[0] - 1, padded[1] - 1, padded[2] - 1), i, 1.0);
+      content.SetUnion(i, 1.0);
     }
   }
   return content;

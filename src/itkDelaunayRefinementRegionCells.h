@@ -122,15 +122,23 @@ public:
       if (corners[i] != 0)
       {
         this->Add(corners[i], i, 1.0);
+        this->SetUnion(i, 1.0);
       }
     }
   }
 
-  /** Adds to the weight of a region at a corner. Of more regions than any cell has the last ones weigh nothing. */
+  /** Sets the weight of all regions together at a corner. */
+  void
+  SetUnion(unsigned int corner, double weight)
+  {
+    m_Union[corner] = weight;
+  }
+
+  /** Sets the weight of a region at a corner. Of more regions than a cell is likely to have the last ones weigh
+   * nothing. */
   void
   Add(DelaunayRefinementRegion region, unsigned int corner, double weight)
   {
-    m_Union[corner] += weight;
     unsigned int place = 0;
     while (place < m_Number && m_Weights[place].region < region)
     {
@@ -146,7 +154,7 @@ public:
       m_Weights[place] = { region, {} };
       ++m_Number;
     }
-    m_Weights[place].values[corner] += weight;
+    m_Weights[place].values[corner] = weight;
   }
 
   DelaunayRefinementRegion

@@ -78,14 +78,14 @@ public:
         this->KeepAsTheyAre(window, key.first, sums);
       }
     }
-    WeightsType all{};
+    block.together = {};
     block.weighted.clear();
     block.weights.clear();
     for (const auto & [region, weights] : sums)
     {
       for (std::size_t i = 0; i < BlockVolume; ++i)
       {
-        all[i] += weights[i];
+        block.together[i] += weights[i];
       }
       if (*std::max_element(weights.begin(), weights.end()) >= LeastWeight)
       {
@@ -97,7 +97,7 @@ public:
     {
       block.regions[i] = 0;
       float largest = 0.0f;
-      for (std::size_t j = 0; j < block.weighted.size() && all[i] >= 0.5f; ++j)
+      for (std::size_t j = 0; j < block.weighted.size() && block.together[i] >= 0.5f; ++j)
       {
         if (block.weights[j][i] > largest)
         {
@@ -444,24 +444,24 @@ DelaunayRefinementSmoothedRegions::CountGains() const
 double
 DelaunayRefinementSmoothedRegions::GetWeight(const IndexType & voxel) const
 {
-  const BlockType & block = m_Blocks[m_Numbers[this->ToOffset(voxel)]];
-  double            sum = 0.0;
-  for (const WeightsType & weights : block.weights)
-  {
-    sum += static_cast<double>(weights[ToPlace(voxel)]);
-  }
-  return sum;
+  return static_cast<double>(m_Blocks[m_Numbers[this->ToOffset(voxel)]].together[ToPlace(voxel)]);
 }
 
 void
-DelaunayRefinementSmoothedRegions::AddWeights(const IndexType &               voxel,
+DelaunayRefinementSmoothedRegions::SetWeights(const IndexType &               voxel,
                                               unsigned int                    corner,
+                                              double                          factor,
                                               DelaunayRefinementRegionsCell & cell) const
 {
   const BlockType & block = m_Blocks[m_Numbers[this->ToOffset(voxel)]];
+  cell.SetUnion(corner, factor * static_cast<double>(block.together[ToPlace(voxel)]));
   for (std::size_t i = 0; i < block.weighted.size(); ++i)
   {
-    cell.Add(block.weighted[i], corner, static_cast<double>(block.weights[i][ToPlace(voxel)]));
+    const float weight = block.weights[i][ToPlace(voxel)];
+    if (weight >= LeastWeight)
+    {
+      cell.Add(block.weighted[i], corner, factor * static_cast<double>(weight));
+    }
   }
 }
 } // end namespace itk

@@ -22,14 +22,12 @@
 #include "itkDelaunayRefinementRegionCells.h"
 #include "itkDelaunayRefinementVoxelComponents.h"
 
-#include <memory>
-
 namespace itk
 {
 /** \class DelaunayRefinementSmoothedRegions
  * \brief Weights of regions at voxels: their indicators, smoothed, each component by a width of its own.
  *
- * Kept near changes between regions alone, in blocks of 8 x 8 x 8 voxels; elsewhere one region has all the weight. A
+ * Kept near changes between regions alone, in blocks of 8 x 8 x 8 voxels; elsewhere voxels are as they were. A
  * Gaussian moves a surface by its variance times the mean curvature; less its variance times the Laplacian of the
  * result leaves curved surfaces where they are, and only what is shorter than the width is smoothed away.
  *
@@ -58,7 +56,7 @@ public:
   std::vector<std::ptrdiff_t>
   CountGains() const;
 
-  /** Calls \c action with each voxel that has other weights than its own region's, and its region now. */
+  /** Calls \c action with each voxel that is kept here, places beyond the image included, and its region now. */
   template <typename TAction>
   void
   ForEachVoxel(const TAction & action) const
@@ -90,9 +88,9 @@ public:
   double
   GetWeight(const IndexType & voxel) const;
 
-  /** Adds the weights of a voxel that is kept here to a corner of a cell. */
+  /** Sets the weights at a corner of a cell to those of a voxel that is kept here, times a factor. */
   void
-  AddWeights(const IndexType & voxel, unsigned int corner, DelaunayRefinementRegionsCell & cell) const;
+  SetWeights(const IndexType & voxel, unsigned int corner, double factor, DelaunayRefinementRegionsCell & cell) const;
 
 private:
   static constexpr std::int32_t  BlockSize = 8;
@@ -101,10 +99,11 @@ private:
 
   using WeightsType = std::array<float, BlockVolume>;
 
-  /** Weights by regions, ascending; the region that has each voxel. */
+  /** Weights by regions, ascending, and of all together; the region that has each voxel. */
   struct BlockType
   {
     IndexType                                         first{};
+    WeightsType                                       together{};
     std::vector<DelaunayRefinementRegion>             weighted{};
     std::vector<WeightsType>                          weights{};
     std::array<DelaunayRefinementRegion, BlockVolume> regions{};

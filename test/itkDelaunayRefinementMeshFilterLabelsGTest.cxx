@@ -305,6 +305,43 @@ TEST(DelaunayRefinementMeshFilterLabels, SmoothingKeepsVolumesAndSmallComponents
   EXPECT_NEAR(smooth.at(40.0) / rough.at(40.0), 1.0, 0.15);
 }
 
+TEST(DelaunayRefinementMeshFilterLabels, SmoothedShellsAndObjectsAtTheBorderAreClosed)
+{
+  // A core in a shell of 8 voxels: far from it the core still has a part in the sum of all weights.
+  const auto shell = MakeImage<short>(MakeCubeGeometry(52), [](const PointType & point) {
+    const double radius = Norm(point);
+    return radius > 22.0 ? 0 : radius > 14.0 ? 2 : 1;
+  });
+  // A column of two labels through the first and the last slice.
+  const auto column = MakeImage<short>(MakeCubeGeometry(28), [](const PointType & point) {
+    return std::hypot(point[0], point[1]) > 8.0 ? 0 : point[0] < 0.0 ? 1 : 2;
+  });
+  for (const auto & image : { shell, column })
+  {
+    const auto filter = MakeFilter(image.GetPointer(), 1.5);
+    filter->SetSmoothing(2.0);
+    filter->Update();
+    const CheckedMesh apart = GetMesh(filter.GetPointer());
+    ExpectGuarantees(apart);
+    filter->MergeLabelsOn();
+    filter->Update();
+    const CheckedMesh merged = GetMesh(filter.GetPointer());
+    // Halves are thinner, and may be smoothed by less.
+    EXPECT_NEAR(ComputeVolume(apart) / ComputeVolume(merged), 1.0, 0.03);
+    EXPECT_NEAR((ComputeInterfaceArea(apart, 1.0, 0.0) + ComputeInterfaceArea(apart, 2.0, 0.0)) /
+                  ComputeInterfaceArea(merged, 1.0, 0.0),
+                1.0,
+                0.02);
+  }
+}
+
+TEST(DelaunayRefinementMeshFilterLabels, LabelsThatTheMeshWouldStoreWrongly)
+{
+  using ShortMeshType = itk::Mesh<double, 3, itk::DefaultStaticMeshTraits<double, 3, 3, double, double, short>>;
+  const auto words = MakeBlocks<unsigned short>(2, 4, [](int x, int, int) { return x == 0 ? 1 : 40000; });
+  ExpectError(MakeFilter<ShortMeshType>(words.GetPointer(), 1.5).GetPointer(), { "40000", "cell data" });
+}
+
 TEST(DelaunayRefinementMeshFilterLabels, SmoothingOfWhatHasNoSteps)
 {
   const auto image = MakeTissues();
