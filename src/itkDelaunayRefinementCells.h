@@ -50,6 +50,23 @@ FindOctantsOneByOne(const TCell & cell, const DelaunayRefinementPoint & corner, 
   return octants;
 }
 
+/** Whether the corners of a cube lie in different regions. */
+template <typename TCell>
+bool
+HasDifferentCorners(const TCell & cell, const DelaunayRefinementPoint & corner, double size)
+{
+  const DelaunayRefinementRegion first = cell.Classify(corner);
+  for (unsigned int i = 1; i < 8; ++i)
+  {
+    if (cell.Classify({ corner[0] + (i & 1u) * size, corner[1] + (i >> 1 & 1u) * size, corner[2] + (i >> 2) * size }) !=
+        first)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 /** Finds the first change between a point of a cell and another in another region; false if that is in the same. */
 template <typename TCell>
 bool
@@ -354,16 +371,7 @@ public:
   bool
   MayIntersect(const PointType & corner, double size) const
   {
-    const DelaunayRefinementRegion first = this->Classify(corner);
-    for (unsigned int i = 1; i < 8; ++i)
-    {
-      if (this->Classify(
-            { corner[0] + (i & 1u) * size, corner[1] + (i >> 1 & 1u) * size, corner[2] + (i >> 2) * size }) != first)
-      {
-        return true;
-      }
-    }
-    return false;
+    return HasDifferentCorners(*this, corner, size);
   }
 
   unsigned int

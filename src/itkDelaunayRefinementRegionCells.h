@@ -187,16 +187,7 @@ public:
   MayIntersect(const PointType & corner, double size) const
   {
     // Differences of weights stay between their values at a cube's corners: so does what decides.
-    const DelaunayRefinementRegion first = this->Classify(corner);
-    for (unsigned int i = 1; i < 8; ++i)
-    {
-      if (this->Classify(
-            { corner[0] + (i & 1u) * size, corner[1] + (i >> 1 & 1u) * size, corner[2] + (i >> 2) * size }) != first)
-      {
-        return true;
-      }
-    }
-    return false;
+    return HasDifferentCorners(*this, corner, size);
   }
 
   unsigned int
