@@ -131,7 +131,8 @@ DelaunayRefinementLatticeOracle::VisitCell(const IndexType & cell, const TVisito
     if (const auto pair = FindDelaunayRefinementPair(corners); pair.configuration != 0)
     {
       const auto & indicator = DelaunayRefinementIndicatorCell::Get(pair.configuration).cell;
-      return visitor(DelaunayRefinementTwoRegionsCell(indicator, pair.inside, pair.elsewhere));
+      return visitor(
+        DelaunayRefinementTwoRegionsCell<DelaunayRefinementLinearCell>(indicator, pair.inside, pair.elsewhere));
     }
     return visitor(DelaunayRefinementRegionsCell(corners));
   }
