@@ -132,8 +132,11 @@ public:
   ComponentType
   FindComponent(const PointType & point) const override;
 
-  std::vector<ComponentType>
-  FindComponentsAt(const PointType & point) const override;
+  double
+  FindLeastAt(const PointType & point, const std::vector<double> & values) const override;
+
+  RangeType
+  FindLeastInPatch(const SurfacePatches::PatchType & patch, const std::vector<double> & values) const override;
 
   BoundsType
   GetComponentBounds(ComponentType component) const override;
@@ -232,6 +235,11 @@ private:
   ToPhysical(const PointType & lattice) const;
   BoundsType
   ToPhysical(const BoundsType & lattice) const;
+
+  /** Bounds on the values of the components with voxels at the corners of some cells, \c last included; those of the
+   * component nearest to \c point if there are none. */
+  RangeType
+  FindRangeInCells(IndexType first, IndexType last, const PointType & point, const std::vector<double> & values) const;
 
   double
   GetSquaredLength(const PointType & latticeVector) const;

@@ -20,6 +20,8 @@
 
 #include "itkDelaunayRefinementSurfaceCells.h"
 
+#include <vector>
+
 namespace itk
 {
 /** \class DelaunayRefinementOracle
@@ -52,6 +54,15 @@ public:
     PointType minimum;
     /** Greatest coordinates (mm). */
     PointType maximum;
+  };
+
+  /** Bounds on numbers. */
+  struct RangeType
+  {
+    /** None is less. */
+    double least;
+    /** None is greater. */
+    double greatest;
   };
 
   /** Pieces of the surface. */
@@ -132,10 +143,15 @@ public:
   virtual ComponentType
   FindComponent(const PointType & point) const = 0;
 
-  /** The components that meet at a point of the surface, ascending; others nearby may be among them. Default:
-   * FindComponent() alone, which is enough where components don't touch. */
-  virtual std::vector<ComponentType>
-  FindComponentsAt(const PointType & point) const;
+  /** The least of some values, one for each component, among the components that meet at a point of the surface; others
+   * nearby may be among them. Default: that of FindComponent(), which is enough where components don't touch. */
+  virtual double
+  FindLeastAt(const PointType & point, const std::vector<double> & values) const;
+
+  /** Bounds on FindLeastAt() over the surface in a patch. Default: of the components whose bounds come within its
+   * radius of its center. */
+  virtual RangeType
+  FindLeastInPatch(const SurfacePatches::PatchType & patch, const std::vector<double> & values) const;
 
   /** A box that contains the component and its surface; need not be tight. Default: GetSurfaceBounds(). */
   virtual BoundsType

@@ -22,6 +22,7 @@
 #include "itkDelaunayRefinementThreads.h"
 #include "itkDelaunayRefinementVoxelMask.h"
 
+#include <algorithm>
 #include <functional>
 #include <vector>
 
@@ -99,6 +100,29 @@ public:
   /** The component of a voxel of the object. */
   ComponentType
   Find(std::int32_t x, std::int32_t y, std::int32_t z) const;
+
+  /** Visits the components of all voxels in a box that may reach beyond the image, \c last included, some more than
+   * once. */
+  template <typename TVisitor>
+  void
+  VisitInBox(const IndexType & first, const IndexType & last, const TVisitor & visit) const
+  {
+    for (std::int32_t z = std::max(first[2], 0); z <= std::min(last[2], m_Size[2] - 1); ++z)
+    {
+      for (std::int32_t y = std::max(first[1], 0); y <= std::min(last[1], m_Size[1] - 1); ++y)
+      {
+        const RunType * const end = m_Runs.data() + this->GetFirstRun(y + 1, z);
+        const RunType *       run = std::lower_bound(m_Runs.data() + this->GetFirstRun(y, z),
+                                               end,
+                                               first[0],
+                                               [](const RunType & left, std::int32_t x) { return left.last < x; });
+        for (; run != end && run->first <= last[0]; ++run)
+        {
+          visit(run->component);
+        }
+      }
+    }
+  }
 
   /** Runs of all rows, one row after another. */
   const RunsType &

@@ -56,9 +56,6 @@ constexpr double HopefulShare = 0.35;
 /** What rounding to single precision may add to this share of delta's distances is no matter between vertices. */
 constexpr double NegligibleShare = 1e-3;
 
-/** Patches smaller than this share of delta are held to belong to one component. */
-constexpr double SmallPatch = 0.3;
-
 bool
 MayBeSplit(const DelaunayRefinementSurfacePatches::IdentifierType & patch)
 {
@@ -105,24 +102,20 @@ DelaunayRefinementBlockSampler::MakeRandomOrder(std::size_t length, std::mt19937
   }
 }
 
-bool
-DelaunayRefinementBlockSampler::IsUniform(const PatchType & patch) const
-{
-  return m_LocalDelta.IsUniform() ||
-         m_LocalDelta.GetMinimumWithin(patch.center, patch.radius) == m_LocalDelta.GetMaximum();
-}
-
 double
-DelaunayRefinementBlockSampler::GetLeastDelta(const PatchesType & patches, std::size_t number, bool isUniform) const
+DelaunayRefinementBlockSampler::GetLeastDelta(const WordType & word, std::uint64_t cells)
 {
-  if (isUniform)
+  double least = word.delta;
+  if (!word.isUniform)
   {
-    return m_LocalDelta.GetMaximum();
+    m_Wholes.Clear(m_Center);
+    m_Oracle.AppendCells(m_Words->GetCells(word, cells), m_Wholes);
+    for (std::size_t i = 0; i < m_Wholes.GetSize(); ++i)
+    {
+      least = std::min(least, this->GetLeastDelta(word, m_Wholes, i));
+    }
   }
-  const PatchType patch = patches.Get(number);
-  return patch.radius < SmallPatch * m_LocalDelta.GetMinimum()
-           ? m_LocalDelta.GetAt(patch.center)
-           : m_LocalDelta.GetMinimumWithin(patch.center, patch.radius);
+  return least;
 }
 
 void
@@ -138,7 +131,8 @@ DelaunayRefinementBlockSampler::Collect(const PatchesType & roots, std::size_t n
   {
     auto &              group = m_Cover.GetGroup(i);
     const std::uint32_t root = m_Cover.GetRoot(i);
-    const bool          isUniform = this->IsUniform(roots.Get(root));
+    const auto          rootDelta = m_LocalDelta.GetRange(roots.Get(root));
+    const bool          isUniform = rootDelta.least == rootDelta.greatest;
     group.begin = static_cast<std::uint32_t>(block.words.GetSize());
     m_Wholes.Clear(roots.GetOrigin());
     m_Wholes.Add(roots, root);
@@ -151,15 +145,16 @@ DelaunayRefinementBlockSampler::Collect(const PatchesType & roots, std::size_t n
       m_Parts.Clear(roots.GetOrigin());
       for (std::size_t j = 0; j < m_Wholes.GetSize(); ++j)
       {
-        const double delta = this->GetLeastDelta(m_Wholes, j, isUniform);
-        const auto   cells = m_Oracle.GetCellsOfPatch(m_Wholes.Get(j));
-        if (DelaunayRefinementSurfaceWords::GetCellRadius(cells) > SampledCell * delta && MayBeSplit(cells.first))
+        const auto delta = isUniform ? rootDelta : m_LocalDelta.GetRange(m_Wholes.Get(j));
+        const auto cells = m_Oracle.GetCellsOfPatch(m_Wholes.Get(j));
+        if (DelaunayRefinementSurfaceWords::GetCellRadius(cells) > SampledCell * delta.least && MayBeSplit(cells.first))
         {
           m_Oracle.SplitSurfacePatch(m_Wholes.GetIdentifier(j), m_Parts);
         }
         else if (cells.bits != 0)
         {
-          block.words.Add(cells, delta, delta == m_LocalDelta.GetMaximum());
+          block.words.Add(cells, delta);
+          block.greatestDelta = std::max(block.greatestDelta, delta.greatest);
         }
       }
       std::swap(m_Wholes, m_Parts);
@@ -174,7 +169,7 @@ DelaunayRefinementBlockSampler::Enter(std::size_t number)
   auto & block = m_Cover.GetBlock(number);
   m_Block = number;
   m_Words = &block.words;
-  const double reach = m_LocalDelta.GetMaximum();
+  const double reach = block.greatestDelta;
   PointType    center;
   PointType    halfExtents;
   PointType    minimum;
@@ -189,7 +184,7 @@ DelaunayRefinementBlockSampler::Enter(std::size_t number)
   m_Found.clear();
   m_AllVertices.FindWithinOfBox(center, halfExtents, reach, m_Found);
   // A copy, which fits a cache: m_AllVertices stays as it is until all threads are done with the color.
-  m_Vertices.Start(minimum, maximum, CubeSize * m_LocalDelta.GetMaximum());
+  m_Vertices.Start(minimum, maximum, CubeSize * reach);
   std::for_each(m_Found.begin(), m_Found.end(), [this](const PointType & vertex) { m_Vertices.Add(vertex); });
   m_NumberOfOldVertices = m_Found.size();
 }
@@ -234,7 +229,8 @@ DelaunayRefinementBlockSampler::Sample(std::size_t number)
       const unsigned int  bit = ChooseBit(word.hopeful, random());
       const std::uint64_t cell = std::uint64_t{ 1 } << bit;
       word.hopeful &= ~cell;
-      if (this->SamplePatch(CellsType::GetPatch(word.first, bit), word.isUniform, m_Vertices) == OutcomeEnum::EMPTY)
+      const auto patch = CellsType::GetPatch(word.first, bit);
+      if (this->SamplePatch(patch, this->GetLeastDelta(word, cell), m_Vertices) == OutcomeEnum::EMPTY)
       {
         word.uncovered &= ~cell;
       }
@@ -261,7 +257,7 @@ DelaunayRefinementBlockSampler::Cover(std::size_t number)
 template <typename TVertices>
 DelaunayRefinementBlockSampler::OutcomeEnum
 DelaunayRefinementBlockSampler::SamplePatch(const PatchesType::IdentifierType & patch,
-                                            bool                                isUniform,
+                                            double                              delta,
                                             const TVertices &                   vertices)
 {
   PointType point;
@@ -269,9 +265,8 @@ DelaunayRefinementBlockSampler::SamplePatch(const PatchesType::IdentifierType & 
   {
     return OutcomeEnum::EMPTY;
   }
-  const double own = isUniform ? m_LocalDelta.GetMaximum() : m_LocalDelta.GetAt(point);
-  if (vertices.HasPointWithin(point, Separation * own) ||
-      (!this->IsInBlock(point) && m_AllVertices.HasPointWithin(point, Separation * own)))
+  if (vertices.HasPointWithin(point, Separation * delta) ||
+      (!this->IsInBlock(point) && m_AllVertices.HasPointWithin(point, Separation * delta)))
   {
     return OutcomeEnum::TOO_NEAR;
   }
@@ -289,7 +284,7 @@ DelaunayRefinementBlockSampler::FindNearby(const WordType & word, std::uint64_t 
 {
   m_Words->GetBox(word, cells, m_Center, m_HalfExtents);
   m_Found.clear();
-  m_Vertices.FindWithinOfBox(m_Center, m_HalfExtents, m_LocalDelta.GetMaximum(), m_Found);
+  m_Vertices.FindWithinOfBox(m_Center, m_HalfExtents, word.delta, m_Found);
 }
 
 bool
@@ -319,8 +314,8 @@ bool
 DelaunayRefinementBlockSampler::CoverCells(const WordType & word, std::uint64_t cells)
 {
   const double extent = std::sqrt(Geometry::Dot(m_HalfExtents, m_HalfExtents));
-  const bool   isPrecise =
-    PatchesType::GetRounding(extent + m_LocalDelta.GetMaximum()) < NegligibleShare * m_LocalDelta.GetMinimum();
+  const double least = word.isUniform ? word.delta : m_LocalDelta.GetMinimum();
+  const bool   isPrecise = PatchesType::GetRounding(extent + word.delta) < NegligibleShare * least;
   m_Nearby.Start(m_Center, extent);
   std::for_each(m_Found.begin(), m_Found.end(), [this](const PointType & vertex) { m_Nearby.Add(vertex); });
   m_Wholes.Clear(m_Center);
@@ -328,7 +323,7 @@ DelaunayRefinementBlockSampler::CoverCells(const WordType & word, std::uint64_t 
   m_Oracle.AppendCells(m_Words->GetCells(word, cells), m_Wholes);
   for (std::size_t i = 0; i < m_Wholes.GetSize(); ++i)
   {
-    if (!m_Nearby.DoTwoCover(m_Wholes.Get(i), this->GetLeastDelta(m_Wholes, i, word.isUniform)))
+    if (!m_Nearby.DoTwoCover(m_Wholes.Get(i), this->GetLeastDelta(word, m_Wholes, i)))
     {
       m_Oracle.SplitSurfacePatch(m_Wholes.GetIdentifier(i), m_Parts);
     }
@@ -343,7 +338,7 @@ DelaunayRefinementBlockSampler::CoverCells(const WordType & word, std::uint64_t 
     }
     for (std::size_t i = 0; i < m_Wholes.GetSize(); ++i)
     {
-      const double delta = this->GetLeastDelta(m_Wholes, i, word.isUniform);
+      const double delta = this->GetLeastDelta(word, m_Wholes, i);
       const auto   answer = m_Nearby.Ask(m_Wholes, i, delta, HopefulShare);
       if (answer == AnswerEnum::COVERED || (answer == AnswerEnum::NEAR && m_Nearby.DoTwoCover(m_Wholes.Get(i), delta)))
       {
@@ -354,8 +349,8 @@ DelaunayRefinementBlockSampler::CoverCells(const WordType & word, std::uint64_t 
       if (answer == AnswerEnum::FAR || isSmallest)
       {
         const auto &      patch = m_Wholes.GetIdentifier(i);
-        const OutcomeEnum outcome = isPrecise ? this->SamplePatch(patch, word.isUniform, m_Nearby)
-                                              : this->SamplePatch(patch, word.isUniform, m_Vertices);
+        const OutcomeEnum outcome =
+          isPrecise ? this->SamplePatch(patch, delta, m_Nearby) : this->SamplePatch(patch, delta, m_Vertices);
         if (outcome == OutcomeEnum::INSERTED)
         {
           m_Nearby.Add(m_Vertices.GetPoints().back());

@@ -70,13 +70,12 @@ private:
   using WordType = DelaunayRefinementSurfaceWords::WordType;
   using AnswerEnum = DelaunayRefinementNearbyPoints::AnswerEnum;
 
-  /** Whether no component with a lower delta reaches into a patch. */
-  bool
-  IsUniform(const PatchType & patch) const;
-
-  /** The least delta that holds in a patch. \c isUniform: of it or of one that it is a part of. */
+  /** The least delta that holds in a patch within a word. */
   double
-  GetLeastDelta(const PatchesType & patches, std::size_t number, bool isUniform) const;
+  GetLeastDelta(const WordType & word, const PatchesType & patches, std::size_t number) const
+  {
+    return word.isUniform ? word.delta : m_LocalDelta.GetRange(patches.Get(number)).least;
+  }
 
   enum class OutcomeEnum : uint8_t
   {
@@ -85,10 +84,14 @@ private:
     EMPTY // the patch holds no surface
   };
 
-  /** Inserts a point of a patch unless \c vertices has one too near. */
+  /** The least delta in some cells of a word. */
+  double
+  GetLeastDelta(const WordType & word, std::uint64_t cells);
+
+  /** Inserts a point of a patch unless one of \c vertices is too near for a delta. */
   template <typename TVertices>
   OutcomeEnum
-  SamplePatch(const PatchesType::IdentifierType & patch, bool isUniform, const TVertices & vertices);
+  SamplePatch(const PatchesType::IdentifierType & patch, double delta, const TVertices & vertices);
 
   /** Covers all cells of a word that are not yet. */
   bool

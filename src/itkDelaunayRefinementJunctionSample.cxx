@@ -64,7 +64,7 @@ SampleDelaunayRefinementJunctions(const DelaunayRefinementOracle &     oracle,
           return vertices.GetPoints();
         }
         const auto   patch = wholes.Get(i);
-        const double least = Separation * localDelta.GetMinimumWithin(patch.center, patch.radius);
+        const double least = Separation * localDelta.GetRange(patch).least;
         if (patch.radius < least && vertices.HasPointWithin(patch.center, least - patch.radius))
         {
           continue;

@@ -415,32 +415,85 @@ DelaunayRefinementLatticeOracle::FindComponent(const PointType & point) const
   return 0;
 }
 
-std::vector<DelaunayRefinementOracle::ComponentType>
-DelaunayRefinementLatticeOracle::FindComponentsAt(const PointType & point) const
+double
+DelaunayRefinementLatticeOracle::FindLeastAt(const PointType & point, const std::vector<double> & values) const
 {
-  std::vector<ComponentType> found{ this->FindComponent(point) };
-  if (m_HasRegions)
+  const PointType lattice = this->ToLattice(point);
+  const auto &    size = m_Mask->GetSize();
+  IndexType       cell;
+  for (unsigned int i = 0; i < 3; ++i)
   {
-    // All that have a corner of the point's cell.
-    const PointType lattice = this->ToLattice(point);
-    const auto &    size = m_Mask->GetSize();
-    IndexType       cell;
-    for (unsigned int i = 0; i < 3; ++i)
+    cell[i] = static_cast<std::int32_t>(std::clamp(lattice[i], 0.0, static_cast<double>(size[i])));
+  }
+  return this->FindRangeInCells(cell, cell, point, values).least;
+}
+
+DelaunayRefinementOracle::RangeType
+DelaunayRefinementLatticeOracle::FindLeastInPatch(const SurfacePatches::PatchType & patch,
+                                                  const std::vector<double> &       values) const
+{
+  const SurfacePatchIdentifier & identifier = patch.identifier;
+  if (identifier.level >= CellLevel)
+  {
+    const IndexType cell = FindDelaunayRefinementPlace(identifier).cell;
+    const double    least = this->FindRangeInCells(cell, cell, patch.center, values).least;
+    return { least, least };
+  }
+  const std::int32_t edge = 1 << (CellLevel - identifier.level);
+  IndexType          first = identifier.index;
+  IndexType          last = identifier.index;
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    first[i] *= edge;
+    last[i] = first[i] + edge - 1;
+  }
+  RangeType range = this->FindRangeInCells(first, last, patch.center, values);
+  if (range.least < range.greatest)
+  {
+    range = { range.greatest, range.least };
+    for (std::int32_t z = first[2]; z <= last[2]; ++z)
     {
-      cell[i] = static_cast<std::int32_t>(std::clamp(lattice[i], 0.0, static_cast<double>(size[i])));
-    }
-    const unsigned int configuration = m_Mask->GetConfiguration(cell[0], cell[1], cell[2]);
-    for (std::int32_t i = 0; i < 8; ++i)
-    {
-      if (configuration >> i & 1u)
+      for (std::int32_t y = first[1]; y <= last[1]; ++y)
       {
-        found.push_back(m_Components->Find(cell[0] - 1 + (i & 1), cell[1] - 1 + (i >> 1 & 1), cell[2] - 1 + (i >> 2)));
+        for (std::int32_t x = first[0]; x <= last[0]; ++x)
+        {
+          if (m_Bricks->IsActiveCell({ x, y, z }))
+          {
+            const double least = this->FindRangeInCells({ x, y, z }, { x, y, z }, patch.center, values).least;
+            range.least = std::min(range.least, least);
+            range.greatest = std::max(range.greatest, least);
+          }
+        }
       }
     }
-    std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
   }
-  return found;
+  return range;
+}
+
+DelaunayRefinementOracle::RangeType
+DelaunayRefinementLatticeOracle::FindRangeInCells(IndexType                   first,
+                                                  IndexType                   last,
+                                                  const PointType &           point,
+                                                  const std::vector<double> & values) const
+{
+  // A field's surface may leave the cells of its voxels.
+  const std::int32_t margin = m_Model == ModelEnum::FIELD ? 1 : 0;
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    first[i] -= 1 + margin;
+    last[i] += margin;
+  }
+  RangeType range{ std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity() };
+  m_Components->VisitInBox(first, last, [&](ComponentType component) {
+    range.least = std::min(range.least, values[component]);
+    range.greatest = std::max(range.greatest, values[component]);
+  });
+  if (range.least > range.greatest)
+  {
+    range.least = values[this->FindComponent(point)];
+    range.greatest = range.least;
+  }
+  return range;
 }
 
 DelaunayRefinementOracle::BoundsType

@@ -21,31 +21,13 @@
 
 namespace itk
 {
-namespace
-{
-constexpr std::uint32_t NotLowered = std::numeric_limits<std::uint32_t>::max();
-
-bool
-IsWithin(const DelaunayRefinementOracle::BoundsType & bounds, const DelaunayRefinementPoint & point, double margin)
-{
-  for (int i = 0; i < 3; ++i)
-  {
-    if (point[i] < bounds.minimum[i] - margin || point[i] > bounds.maximum[i] + margin)
-    {
-      return false;
-    }
-  }
-  return true;
-}
-} // namespace
-
 DelaunayRefinementLocalDelta::DelaunayRefinementLocalDelta(const DelaunayRefinementOracle &     oracle,
                                                            const DelaunayRefinementParameters & parameters)
   : m_Oracle(oracle)
   , m_Bounds(oracle.GetSurfaceBounds())
   , m_Delta(parameters.delta)
   , m_Minimum(parameters.delta)
-  , m_Places(oracle.GetNumberOfComponents(), NotLowered)
+  , m_DeltaOfComponents(oracle.GetNumberOfComponents(), parameters.delta)
 {
   for (unsigned int i = 0; i < 3; ++i)
   {
@@ -69,89 +51,64 @@ DelaunayRefinementLocalDelta::FindBox(const PointType & point, double offset) co
   return box;
 }
 
-double
-DelaunayRefinementLocalDelta::GetAt(const PointType & point) const
+bool
+DelaunayRefinementLocalDelta::MayBeLoweredWithin(const PointType & point, double radius) const
 {
-  if (!m_Boxes.empty())
+  if (m_MayBeLowered.empty())
   {
-    const BoxIndexType box = this->FindBox(point, 0.0);
-    for (const std::uint32_t place : m_Boxes[ToOffset(box[0], box[1], box[2])])
-    {
-      if (IsWithin(m_Lowered[place].bounds, point, 0.0))
-      {
-        double delta = m_Delta;
-        for (const ComponentType component : m_Oracle.FindComponentsAt(point))
-        {
-          delta = std::min(delta, this->GetOfComponent(component));
-        }
-        return delta;
-      }
-    }
+    return false;
   }
-  return m_Delta;
-}
-
-double
-DelaunayRefinementLocalDelta::GetMinimumWithin(const PointType & point, double radius) const
-{
-  double minimum = m_Delta;
-  if (!m_Boxes.empty())
-  {
-    const BoxIndexType first = this->FindBox(point, -radius);
-    const BoxIndexType last = this->FindBox(point, radius);
-    for (std::int32_t z = first[2]; z <= last[2]; ++z)
-    {
-      for (std::int32_t y = first[1]; y <= last[1]; ++y)
-      {
-        for (std::int32_t x = first[0]; x <= last[0]; ++x)
-        {
-          for (const std::uint32_t place : m_Boxes[ToOffset(x, y, z)])
-          {
-            const LoweredType & lowered = m_Lowered[place];
-            if (lowered.delta < minimum && IsWithin(lowered.bounds, point, radius))
-            {
-              minimum = lowered.delta;
-            }
-          }
-        }
-      }
-    }
-  }
-  return minimum;
-}
-
-double
-DelaunayRefinementLocalDelta::GetOfComponent(ComponentType component) const
-{
-  return m_Places[component] == NotLowered ? m_Delta : m_Lowered[m_Places[component]].delta;
-}
-
-void
-DelaunayRefinementLocalDelta::Lower(ComponentType component, double delta)
-{
-  if (!(delta < this->GetOfComponent(component)))
-  {
-    return;
-  }
-  m_Minimum = std::min(m_Minimum, delta);
-  if (m_Places[component] != NotLowered)
-  {
-    m_Lowered[m_Places[component]].delta = delta;
-    return;
-  }
-  const auto place = static_cast<std::uint32_t>(m_Lowered.size());
-  m_Places[component] = place;
-  m_Lowered.push_back({ component, delta, m_Oracle.GetComponentBounds(component) });
-  m_Boxes.resize(ToOffset(BoxesPerAxis - 1, BoxesPerAxis - 1, BoxesPerAxis - 1) + 1);
-  const BoxIndexType first = this->FindBox(m_Lowered.back().bounds.minimum, 0.0);
-  const BoxIndexType last = this->FindBox(m_Lowered.back().bounds.maximum, 0.0);
+  const BoxIndexType first = this->FindBox(point, -radius);
+  const BoxIndexType last = this->FindBox(point, radius);
   for (std::int32_t z = first[2]; z <= last[2]; ++z)
   {
     for (std::int32_t y = first[1]; y <= last[1]; ++y)
     {
       for (std::int32_t x = first[0]; x <= last[0]; ++x)
       {
-        m_Boxes[ToOffset(x, y, z)].push_back(place);
+        if (m_MayBeLowered[ToOffset(x, y, z)])
+        {
+          return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
+double
+DelaunayRefinementLocalDelta::GetAt(const PointType & point) const
+{
+  return this->MayBeLoweredWithin(point, 0.0) ? m_Oracle.FindLeastAt(point, m_DeltaOfComponents) : m_Delta;
+}
+
+DelaunayRefinementLocalDelta::RangeType
+DelaunayRefinementLocalDelta::GetRange(const PatchType & patch) const
+{
+  return this->MayBeLoweredWithin(patch.center, patch.radius) ? m_Oracle.FindLeastInPatch(patch, m_DeltaOfComponents)
+                                                              : RangeType{ m_Delta, m_Delta };
+}
+
+void
+DelaunayRefinementLocalDelta::Lower(ComponentType component, double delta)
+{
+  if (!(delta < m_DeltaOfComponents[component]))
+  {
+    return;
+  }
+  m_DeltaOfComponents[component] = delta;
+  m_Minimum = std::min(m_Minimum, delta);
+  m_MayBeLowered.resize(ToOffset(BoxesPerAxis - 1, BoxesPerAxis - 1, BoxesPerAxis - 1) + 1);
+  const auto         bounds = m_Oracle.GetComponentBounds(component);
+  const BoxIndexType first = this->FindBox(bounds.minimum, 0.0);
+  const BoxIndexType last = this->FindBox(bounds.maximum, 0.0);
+  for (std::int32_t z = first[2]; z <= last[2]; ++z)
+  {
+    for (std::int32_t y = first[1]; y <= last[1]; ++y)
+    {
+      for (std::int32_t x = first[0]; x <= last[0]; ++x)
+      {
+        m_MayBeLowered[ToOffset(x, y, z)] = true;
       }
     }
   }
@@ -161,11 +118,11 @@ std::vector<std::pair<DelaunayRefinementLocalDelta::ComponentType, double>>
 DelaunayRefinementLocalDelta::GetLowered() const
 {
   std::vector<std::pair<ComponentType, double>> lowered;
-  for (ComponentType component = 0; component < m_Places.size(); ++component)
+  for (ComponentType component = 0; component < m_DeltaOfComponents.size(); ++component)
   {
-    if (m_Places[component] != NotLowered)
+    if (m_DeltaOfComponents[component] < m_Delta)
     {
-      lowered.emplace_back(component, this->GetOfComponent(component));
+      lowered.emplace_back(component, m_DeltaOfComponents[component]);
     }
   }
   return lowered;

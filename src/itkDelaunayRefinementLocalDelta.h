@@ -31,21 +31,27 @@ class DelaunayRefinementLocalDelta
 {
 public:
   using PointType = DelaunayRefinementPoint;
+  using PatchType = DelaunayRefinementSurfacePatches::PatchType;
   using ComponentType = DelaunayRefinementOracle::ComponentType;
+
+  using RangeType = DelaunayRefinementOracle::RangeType;
 
   DelaunayRefinementLocalDelta(const DelaunayRefinementOracle &     oracle,
                                const DelaunayRefinementParameters & parameters);
 
-  /** Delta at a point of the surface. */
+  /** Delta at a point of the surface: the least of the components that meet there. */
   double
   GetAt(const PointType & point) const;
 
-  /** A lower bound on delta over the part of the surface within \c radius of \c point. */
-  double
-  GetMinimumWithin(const PointType & point, double radius) const;
+  /** Bounds on delta over the surface in a patch. */
+  RangeType
+  GetRange(const PatchType & patch) const;
 
   double
-  GetOfComponent(ComponentType component) const;
+  GetOfComponent(ComponentType component) const
+  {
+    return m_DeltaOfComponents[component];
+  }
 
   double
   GetMinimum() const
@@ -63,7 +69,7 @@ public:
   bool
   IsUniform() const
   {
-    return m_Lowered.empty();
+    return m_MayBeLowered.empty();
   }
 
   /** Lowers the delta of one component. */
@@ -75,19 +81,15 @@ public:
   GetLowered() const;
 
 private:
-  struct LoweredType
-  {
-    ComponentType                        component;
-    double                               delta;
-    DelaunayRefinementOracle::BoundsType bounds;
-  };
-
-  /** Boxes of a coarse grid over the surface, to find the components near a point. */
   using BoxIndexType = std::array<std::int32_t, 3>;
   static constexpr std::int32_t BoxesPerAxis = 16;
 
   BoxIndexType
   FindBox(const PointType & point, double offset) const;
+
+  /** False if delta is not lowered anywhere within \c radius of \c point. */
+  bool
+  MayBeLoweredWithin(const PointType & point, double radius) const;
 
   static std::size_t
   ToOffset(std::int32_t x, std::int32_t y, std::int32_t z)
@@ -100,14 +102,11 @@ private:
   PointType                            m_BoxesPerLength{};
   double                               m_Delta;
   double                               m_Minimum;
-  /** In the order in which they were lowered first. */
-  std::vector<LoweredType> m_Lowered{};
+  std::vector<double>                  m_DeltaOfComponents;
 
-  /** The place of each component in m_Lowered, or one beyond all. */
-  std::vector<std::uint32_t> m_Places;
-
-  /** For each box the components that reach into it, by their places in m_Lowered; empty if none is lowered. */
-  std::vector<std::vector<std::uint32_t>> m_Boxes{};
+  /** For each box of a coarse grid over the surface whether the bounds of a lowered component reach into it; empty if
+   * none is lowered. */
+  std::vector<bool> m_MayBeLowered{};
 };
 } // end namespace itk
 

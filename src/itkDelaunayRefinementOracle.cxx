@@ -20,6 +20,7 @@
 #include "itkDelaunayRefinementBits.h"
 #include "itkDelaunayRefinementGeometry.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace itk
@@ -89,10 +90,34 @@ DelaunayRefinementOracle::FindJunctionInPatch(const SurfacePatchIdentifier &, un
   return false;
 }
 
-std::vector<DelaunayRefinementOracle::ComponentType>
-DelaunayRefinementOracle::FindComponentsAt(const PointType & point) const
+double
+DelaunayRefinementOracle::FindLeastAt(const PointType & point, const std::vector<double> & values) const
 {
-  return { this->FindComponent(point) };
+  return values[this->FindComponent(point)];
+}
+
+DelaunayRefinementOracle::RangeType
+DelaunayRefinementOracle::FindLeastInPatch(const SurfacePatches::PatchType & patch,
+                                           const std::vector<double> &       values) const
+{
+  const double own = this->FindLeastAt(patch.center, values);
+  RangeType    range{ own, own };
+  for (ComponentType component = 0; component < values.size(); ++component)
+  {
+    const BoundsType bounds = this->GetComponentBounds(component);
+    bool             isNear = true;
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      isNear = isNear && bounds.minimum[i] - patch.radius <= patch.center[i] &&
+               patch.center[i] <= bounds.maximum[i] + patch.radius;
+    }
+    if (isNear)
+    {
+      range.least = std::min(range.least, values[component]);
+      range.greatest = std::max(range.greatest, values[component]);
+    }
+  }
+  return range;
 }
 
 DelaunayRefinementOracle::BoundsType

@@ -61,6 +61,7 @@ public:
     PointType     maximum;
 
     DelaunayRefinementSurfaceWords words;
+    double                         greatestDelta{ 0.0 }; // of the words
   };
 
   /** The larger patches, and the greatest delta there is. */

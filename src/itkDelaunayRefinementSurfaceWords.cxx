@@ -56,16 +56,16 @@ DelaunayRefinementSurfaceWords::ToAxes(const PointType & point) const
 }
 
 void
-DelaunayRefinementSurfaceWords::Add(const CellsType & cells, double delta, bool isUniform)
+DelaunayRefinementSurfaceWords::Add(const CellsType & cells, const DelaunayRefinementLocalDelta::RangeType & delta)
 {
-  WordType word{ cells.bits, cells.bits, cells.first, {}, {}, 0.0f, isUniform };
+  WordType word{ cells.bits, cells.bits, cells.first, {}, {}, 0.0f, delta.least == delta.greatest, delta.greatest };
   for (unsigned int i = 0; i < 3; ++i)
   {
     word.corner[i] = static_cast<float>(cells.corner[i] - m_Origin[i]);
     word.edges[i] = static_cast<float>(cells.edges[i]);
   }
   // Coordinates of vertices that cover any of it are no greater than its own and delta.
-  const double reach = delta - GetRounding(word) - Roundings * delta - cells.margin;
+  const double reach = delta.least - GetRounding(word) - Roundings * delta.least - cells.margin;
   word.squaredReach = static_cast<float>(reach * std::abs(reach));
   m_Words.push_back(word);
 }

@@ -18,7 +18,7 @@
 #ifndef itkDelaunayRefinementSurfaceWords_h
 #define itkDelaunayRefinementSurfaceWords_h
 
-#include "itkDelaunayRefinementOracle.h"
+#include "itkDelaunayRefinementLocalDelta.h"
 
 namespace itk
 {
@@ -45,16 +45,17 @@ public:
     std::array<float, 3>        corner; // along the axes, from the origin
     std::array<float, 3>        edges;
     float                       squaredReach; // of vertices, less what is lost to rounding
-    bool                        isUniform;    // the caller's
+    bool                        isUniform;
+    double                      delta; // all over it if that is uniform, else the greatest
   };
 
   /** Forgets all words. The nearer they are to \c origin, the less is lost to rounding. */
   void
   Start(const PointType & origin, const AxesType & axes);
 
-  /** A word of cells that vertices within \c delta cover; none is covered as yet. */
+  /** A word of cells that vertices within the least delta cover; none is covered as yet. */
   void
-  Add(const CellsType & cells, double delta, bool isUniform);
+  Add(const CellsType & cells, const DelaunayRefinementLocalDelta::RangeType & delta);
 
   /** Clears the cells that a vertex covers in the words \c begin to \c end (not included). */
   void
