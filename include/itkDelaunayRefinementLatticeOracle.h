@@ -121,6 +121,11 @@ public:
   SurfacePatches
   GetJunctionPatches(unsigned int leastRegions) const override;
 
+  void
+  SplitJunctionPatch(const SurfacePatchIdentifier & patch,
+                     unsigned int                   leastRegions,
+                     SurfacePatches &               parts) const override;
+
   bool
   FindJunctionInPatch(const SurfacePatchIdentifier & patch,
                       unsigned int                   leastRegions,

@@ -125,10 +125,15 @@ public:
   virtual bool
   FindPointOfPatch(const SurfacePatchIdentifier & patch, PointType & point) const = 0;
 
-  /** Patches that together cover where at least as many regions meet, outside counted; so do their parts, by
-   * SplitSurfacePatch(). Three regions meet in lines, four in points. Default: none. */
+  /** Patches that together cover where at least as many regions meet, outside counted. Three regions meet in lines,
+   * four in points. Default: none. */
   virtual SurfacePatches
   GetJunctionPatches(unsigned int leastRegions) const;
+
+  /** Appends patches that together cover where at least as many regions meet in one of the patches for these, within
+   * its box, each at most about half as large. Default: none. */
+  virtual void
+  SplitJunctionPatch(const SurfacePatchIdentifier & patch, unsigned int leastRegions, SurfacePatches & parts) const;
 
   /** Finds a point of the surface in a patch, very near to where at least as many regions meet, outside counted; false
    * if there seems to be none. Three regions meet in lines, four in points. */

@@ -67,6 +67,41 @@ HasDifferentCorners(const TCell & cell, const DelaunayRefinementPoint & corner, 
   return false;
 }
 
+/** The regions of the corners of a cube's octants. */
+class DelaunayRefinementOctantCorners
+{
+public:
+  template <typename TCell>
+  DelaunayRefinementOctantCorners(const TCell & cell, const DelaunayRefinementPoint & corner, double size)
+  {
+    const double half = 0.5 * size;
+    for (unsigned int i = 0; i < 27; ++i)
+    {
+      m_Regions[i] =
+        cell.Classify({ corner[0] + i % 3 * half, corner[1] + i / 3 % 3 * half, corner[2] + i / 9 * half });
+    }
+  }
+
+  /** All of them. */
+  const std::array<DelaunayRefinementRegion, 27> &
+  Get() const
+  {
+    return m_Regions;
+  }
+
+  /** Those of one octant, x fastest. */
+  std::array<DelaunayRefinementRegion, 8>
+  Get(unsigned int octant) const
+  {
+    const unsigned int first = (octant & 1u) + 3 * (octant >> 1 & 1u) + 9 * (octant >> 2);
+    return { m_Regions[first],     m_Regions[first + 1],  m_Regions[first + 3],  m_Regions[first + 4],
+             m_Regions[first + 9], m_Regions[first + 10], m_Regions[first + 12], m_Regions[first + 13] };
+  }
+
+private:
+  std::array<DelaunayRefinementRegion, 27> m_Regions;
+};
+
 /** Finds the first change between a point of a cell and another in another region; false if that is in the same. */
 template <typename TCell>
 bool

@@ -71,7 +71,7 @@ SampleDelaunayRefinementJunctions(const DelaunayRefinementOracle &     oracle,
         }
         if (patch.radius > LargestPatch * least)
         {
-          oracle.SplitSurfacePatch(patch.identifier, parts);
+          oracle.SplitJunctionPatch(patch.identifier, leastRegions, parts);
           continue;
         }
         DelaunayRefinementPoint point;

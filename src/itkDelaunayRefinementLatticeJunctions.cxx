@@ -19,6 +19,7 @@
 #include "itkDelaunayRefinementLatticeVisit.h"
 
 #include <algorithm>
+#include <type_traits>
 
 namespace itk
 {
@@ -32,12 +33,44 @@ constexpr double SmallestCube = 1.0 / 64.0;
 /** As many meet in a line. */
 constexpr unsigned int LeastRegions = 3;
 
+/** More are not asked for. */
+constexpr unsigned int MostRegions = 4;
+
+/** Whether there are at least as many regions among some. */
 template <std::size_t VSize>
-unsigned int
-CountRegions(std::array<DelaunayRefinementRegion, VSize> regions)
+bool
+HasRegions(const std::array<DelaunayRefinementRegion, VSize> & regions, unsigned int least)
 {
-  std::sort(regions.begin(), regions.end());
-  return static_cast<unsigned int>(std::unique(regions.begin(), regions.end()) - regions.begin());
+  std::array<DelaunayRefinementRegion, MostRegions> different;
+  unsigned int                                      number = 0;
+  for (const DelaunayRefinementRegion region : regions)
+  {
+    const auto end = different.begin() + number;
+    if (number < least && std::find(different.begin(), end, region) == end)
+    {
+      different[number++] = region;
+    }
+  }
+  return number >= least;
+}
+
+/** No less than the number of regions that have points in a cube, outside counted. */
+template <typename TCell>
+unsigned int
+CountRegionsInCube(const TCell & cell, const PointType & corner, double size)
+{
+  if constexpr (std::is_same_v<TCell, DelaunayRefinementRegionsCell>)
+  {
+    return cell.CountRegions(corner, size);
+  }
+  return MostRegions;
+}
+
+/** The corner of an octant. */
+PointType
+GetOctant(const PointType & corner, double half, unsigned int octant)
+{
+  return { corner[0] + (octant & 1u) * half, corner[1] + (octant >> 1 & 1u) * half, corner[2] + (octant >> 2) * half };
 }
 
 /** A point of the surface in the first small cube of a cube that has corners in enough regions. */
@@ -50,28 +83,21 @@ FindJunction(const TCell & cell, const PointType & corner, double size, unsigned
   {
     return FindSurfacePointInCube(cell, corner, size, { corner[0] + half, corner[1] + half, corner[2] + half }, found);
   }
-  std::array<DelaunayRefinementRegion, 27> regions;
-  for (unsigned int i = 0; i < 27; ++i)
+  const DelaunayRefinementOctantCorners corners(cell, corner, size);
+  if (!HasRegions(corners.Get(), leastRegions))
   {
-    regions[i] = cell.Classify({ corner[0] + i % 3 * half, corner[1] + i / 3 % 3 * half, corner[2] + i / 9 * half });
+    return false;
   }
   for (unsigned int i = 0; i < 8; ++i)
   {
-    const unsigned int                      first = (i & 1u) + 3 * (i >> 1 & 1u) + 9 * (i >> 2);
-    std::array<DelaunayRefinementRegion, 8> corners;
-    for (unsigned int j = 0; j < 8; ++j)
-    {
-      corners[j] = regions[first + (j & 1u) + 3 * (j >> 1 & 1u) + 9 * (j >> 2)];
-    }
-    const PointType at{ corner[0] + (i & 1u) * half, corner[1] + (i >> 1 & 1u) * half, corner[2] + (i >> 2) * half };
-    if (CountRegions(corners) >= leastRegions && FindJunction(cell, at, half, leastRegions, found))
+    if (HasRegions(corners.Get(i), leastRegions) &&
+        FindJunction(cell, GetOctant(corner, half, i), half, leastRegions, found))
     {
       return true;
     }
   }
   // Where four meet, no smaller cube need have a corner in each: a point of a line that leads there.
-  return leastRegions > LeastRegions && CountRegions(regions) >= leastRegions &&
-         FindJunction(cell, corner, size, leastRegions - 1, found);
+  return leastRegions > LeastRegions && FindJunction(cell, corner, size, leastRegions - 1, found);
 }
 } // namespace
 
@@ -96,7 +122,7 @@ DelaunayRefinementLatticeOracle::GetJunctionPatches(unsigned int leastRegions) c
         const IndexType cell{ 4 * bricks[i][0] + (bit & 3),
                               4 * bricks[i][1] + (bit >> 2 & 3),
                               4 * bricks[i][2] + (bit >> 4) };
-        if (CountRegions(this->GetCellRegions(cell)) >= leastRegions)
+        if (HasRegions(this->GetCellRegions(cell), leastRegions))
         {
           found[piece].push_back(cell);
         }
@@ -114,6 +140,27 @@ DelaunayRefinementLatticeOracle::GetJunctionPatches(unsigned int leastRegions) c
     }
   }
   return patches;
+}
+
+void
+DelaunayRefinementLatticeOracle::SplitJunctionPatch(const SurfacePatchIdentifier & patch,
+                                                    unsigned int                   leastRegions,
+                                                    SurfacePatches &               parts) const
+{
+  const DelaunayRefinementPlace place = FindDelaunayRefinementPlace(patch);
+  const double                  half = 0.5 * place.size;
+  const auto shape = this->MakeShape({ 0.5 * half, 0.5 * half, 0.5 * half }, { 0.5 * half, 0.5 * half, 0.5 * half });
+  this->VisitCell(place.cell, [&](const auto & content) {
+    for (std::int32_t i = 0; i < 8; ++i)
+    {
+      const PointType corner = GetOctant(place.corner, half, i);
+      if (CountRegionsInCube(content, corner, half) >= leastRegions)
+      {
+        const PointType lattice{ place.cell[0] + corner[0], place.cell[1] + corner[1], place.cell[2] + corner[2] };
+        parts.Add(shape, parts.MakeCorner(this->ToPhysical(lattice)), GetDelaunayRefinementChild(patch, i));
+      }
+    }
+  });
 }
 
 bool

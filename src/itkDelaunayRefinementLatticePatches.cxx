@@ -50,16 +50,6 @@ ToPoint(const std::array<std::int32_t, 3> & index, double scale)
   return { index[0] * scale, index[1] * scale, index[2] * scale };
 }
 
-/** An eighth of a patch. */
-DelaunayRefinementOracle::SurfacePatchIdentifier
-GetChild(const DelaunayRefinementOracle::SurfacePatchIdentifier & patch, std::int32_t child)
-{
-  return {
-    { 2 * patch.index[0] + (child & 1), 2 * patch.index[1] + (child >> 1 & 1), 2 * patch.index[2] + (child >> 2) },
-    static_cast<std::uint8_t>(patch.level + 1)
-  };
-}
-
 /** Of a cell's quarters those in one of its eighths, by number. */
 unsigned int
 GatherOctants(std::uint64_t quarters, const std::array<std::int32_t, 3> & eighth)
@@ -131,7 +121,7 @@ DelaunayRefinementLatticeOracle::SplitSurfacePatch(const SurfacePatchIdentifier 
   {
     if (octants >> i & 1u)
     {
-      const SurfacePatchIdentifier child = GetChild(patch, i);
+      const SurfacePatchIdentifier child = GetDelaunayRefinementChild(patch, i);
       parts.Add(shape, parts.MakeCorner(this->ToPhysical(ToPoint(child.index, 2.0 * quarter))), child);
     }
   }
@@ -190,7 +180,7 @@ DelaunayRefinementLatticeOracle::GetCellsOfPatch(const SurfacePatches::PatchType
   const unsigned int octants = whole.level < CellLevel ? AllOctants : this->GetOctants(whole);
   for (std::int32_t i = 0; i < 8; ++i)
   {
-    const SurfacePatchIdentifier child = GetChild(whole, i);
+    const SurfacePatchIdentifier child = GetDelaunayRefinementChild(whole, i);
     if ((octants >> i & 1u) && (whole.level >= CellLevel || m_Bricks->IsActiveCell(child.index)))
     {
       cells.bits |= ScatterOctants(this->GetOctants(child), i);
@@ -248,7 +238,7 @@ DelaunayRefinementLatticeOracle::SplitBrick(const SurfacePatchIdentifier & patch
     {
       if (cells & Eighths[i])
       {
-        parts.Add(this->MakeShapeOfCubes(cells & Eighths[i], 1.0), corner, GetChild(patch, i));
+        parts.Add(this->MakeShapeOfCubes(cells & Eighths[i], 1.0), corner, GetDelaunayRefinementChild(patch, i));
       }
     }
     return;
@@ -256,7 +246,7 @@ DelaunayRefinementLatticeOracle::SplitBrick(const SurfacePatchIdentifier & patch
   const auto first = parts.MakeCorner(this->ToPhysical(ToPoint(patch.index, 2.0)));
   for (std::int32_t i = 0; i < 8; ++i)
   {
-    const SurfacePatchIdentifier child = GetChild(patch, i);
+    const SurfacePatchIdentifier child = GetDelaunayRefinementChild(patch, i);
     if (cells >> DelaunayRefinementBricks::GetBit(child.index) & 1u)
     {
       const std::array<float, 3> corner{ first[0] + m_CornerOffsets[i][0],
@@ -279,7 +269,7 @@ DelaunayRefinementLatticeOracle::SplitCell(const SurfacePatchIdentifier & patch,
     {
       if (shapes.octants >> i & 1u)
       {
-        parts.Add(shapes.parts[i], corner, GetChild(patch, i));
+        parts.Add(shapes.parts[i], corner, GetDelaunayRefinementChild(patch, i));
       }
     }
     return;
@@ -289,7 +279,7 @@ DelaunayRefinementLatticeOracle::SplitCell(const SurfacePatchIdentifier & patch,
   {
     if (quarters & Eighths[i])
     {
-      parts.Add(this->MakeShapeOfCubes(quarters & Eighths[i], 0.25), corner, GetChild(patch, i));
+      parts.Add(this->MakeShapeOfCubes(quarters & Eighths[i], 0.25), corner, GetDelaunayRefinementChild(patch, i));
     }
   }
 }

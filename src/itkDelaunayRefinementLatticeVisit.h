@@ -57,6 +57,16 @@ FindDelaunayRefinementPlace(const DelaunayRefinementOracle::SurfacePatchIdentifi
   return place;
 }
 
+/** An eighth of a patch. */
+inline DelaunayRefinementOracle::SurfacePatchIdentifier
+GetDelaunayRefinementChild(const DelaunayRefinementOracle::SurfacePatchIdentifier & patch, std::int32_t child)
+{
+  return {
+    { 2 * patch.index[0] + (child & 1), 2 * patch.index[1] + (child >> 1 & 1), 2 * patch.index[2] + (child >> 2) },
+    static_cast<std::uint8_t>(patch.level + 1)
+  };
+}
+
 /** The cells of a mask's interpolated indicator, by configuration, with the quarters that may hold surface. */
 struct DelaunayRefinementIndicatorCell
 {

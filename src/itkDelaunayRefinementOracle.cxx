@@ -84,6 +84,10 @@ DelaunayRefinementOracle::GetJunctionPatches(unsigned int) const
   return SurfacePatches();
 }
 
+void
+DelaunayRefinementOracle::SplitJunctionPatch(const SurfacePatchIdentifier &, unsigned int, SurfacePatches &) const
+{}
+
 bool
 DelaunayRefinementOracle::FindJunctionInPatch(const SurfacePatchIdentifier &, unsigned int, PointType &) const
 {

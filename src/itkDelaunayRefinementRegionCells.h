@@ -160,11 +160,7 @@ public:
   DelaunayRefinementRegion
   Classify(const PointType & p) const
   {
-    const PointType             q{ 1.0 - p[0], 1.0 - p[1], 1.0 - p[2] };
-    const std::array<double, 8> shares{
-      q[0] * q[1] * q[2], p[0] * q[1] * q[2], q[0] * p[1] * q[2], p[0] * p[1] * q[2],
-      q[0] * q[1] * p[2], p[0] * q[1] * p[2], q[0] * p[1] * p[2], p[0] * p[1] * p[2]
-    };
+    const auto shares = ComputeShares(p);
     if (Interpolate(m_Union, shares) < 0.5)
     {
       return 0;
@@ -193,22 +189,52 @@ public:
   unsigned int
   FindOctants(const PointType & corner, double size) const
   {
-    const double                             half = 0.5 * size;
-    std::array<DelaunayRefinementRegion, 27> regions;
-    for (unsigned int i = 0; i < 27; ++i)
-    {
-      regions[i] = this->Classify({ corner[0] + i % 3 * half, corner[1] + i / 3 % 3 * half, corner[2] + i / 9 * half });
-    }
-    unsigned int octants = 0;
+    const DelaunayRefinementOctantCorners all(*this, corner, size);
+    unsigned int                          octants = 0;
     for (unsigned int i = 0; i < 8; ++i)
     {
-      const unsigned int first = (i & 1u) + 3 * (i >> 1 & 1u) + 9 * (i >> 2);
-      for (const unsigned int other : { 1u, 3u, 4u, 9u, 10u, 12u, 13u })
-      {
-        octants |= (regions[first + other] != regions[first] ? 1u : 0u) << i;
-      }
+      const auto corners = all.Get(i);
+      octants |=
+        (std::any_of(corners.begin(), corners.end(), [&](auto other) { return other != corners[0]; }) ? 1u : 0u) << i;
     }
     return octants;
+  }
+
+  /** No less than the number of regions that have points in a cube, outside counted. */
+  unsigned int
+  CountRegions(const PointType & corner, double size) const
+  {
+    std::array<std::array<double, 8>, MostRegions> weights;
+    bool                                           isAnyInside = false;
+    bool                                           isAnyOutside = false;
+    for (unsigned int i = 0; i < 8; ++i)
+    {
+      const auto shares =
+        ComputeShares({ corner[0] + (i & 1u) * size, corner[1] + (i >> 1 & 1u) * size, corner[2] + (i >> 2) * size });
+      const bool isOutside = Interpolate(m_Union, shares) < 0.5;
+      isAnyOutside = isAnyOutside || isOutside;
+      isAnyInside = isAnyInside || !isOutside;
+      for (unsigned int j = 0; j < m_Number; ++j)
+      {
+        weights[j][i] = Interpolate(m_Weights[j].values, shares);
+      }
+    }
+    unsigned int number = isAnyOutside ? 1 : 0;
+    for (unsigned int j = 0; j < m_Number && isAnyInside; ++j)
+    {
+      // Weights' differences have their extremes at corners.
+      bool mayHavePoints = true;
+      for (unsigned int k = 0; k < m_Number && mayHavePoints; ++k)
+      {
+        mayHavePoints = j == k;
+        for (unsigned int i = 0; i < 8; ++i)
+        {
+          mayHavePoints = mayHavePoints || (j < k ? weights[j][i] >= weights[k][i] : weights[j][i] > weights[k][i]);
+        }
+      }
+      number += mayHavePoints ? 1 : 0;
+    }
+    return number;
   }
 
   static unsigned int
@@ -269,6 +295,15 @@ public:
   }
 
 private:
+  /** How much each corner counts at a point. */
+  static std::array<double, 8>
+  ComputeShares(const PointType & p)
+  {
+    const PointType q{ 1.0 - p[0], 1.0 - p[1], 1.0 - p[2] };
+    return { q[0] * q[1] * q[2], p[0] * q[1] * q[2], q[0] * p[1] * q[2], p[0] * p[1] * q[2],
+             q[0] * q[1] * p[2], p[0] * q[1] * p[2], q[0] * p[1] * p[2], p[0] * p[1] * p[2] };
+  }
+
   static double
   Interpolate(const std::array<double, 8> & values, const std::array<double, 8> & shares)
   {
