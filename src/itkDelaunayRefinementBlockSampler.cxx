@@ -155,6 +155,7 @@ DelaunayRefinementBlockSampler::Collect(const PatchesType & roots, std::size_t n
         {
           block.words.Add(cells, delta);
           block.greatestDelta = std::max(block.greatestDelta, delta.greatest);
+          block.sumOfDeltas += delta.greatest;
         }
       }
       std::swap(m_Wholes, m_Parts);
@@ -184,7 +185,7 @@ DelaunayRefinementBlockSampler::Enter(std::size_t number)
   m_Found.clear();
   m_AllVertices.FindWithinOfBox(center, halfExtents, reach, m_Found);
   // A copy, which fits a cache: m_AllVertices stays as it is until all threads are done with the color.
-  m_Vertices.Start(minimum, maximum, CubeSize * reach);
+  m_Vertices.Start(minimum, maximum, CubeSize * block.sumOfDeltas / static_cast<double>(m_Words->GetSize()));
   std::for_each(m_Found.begin(), m_Found.end(), [this](const PointType & vertex) { m_Vertices.Add(vertex); });
   m_NumberOfOldVertices = m_Found.size();
 }

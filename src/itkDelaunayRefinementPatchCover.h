@@ -62,6 +62,7 @@ public:
 
     DelaunayRefinementSurfaceWords words;
     double                         greatestDelta{ 0.0 }; // of the words
+    double                         sumOfDeltas{ 0.0 };
   };
 
   /** The larger patches, and the greatest delta there is. */
