@@ -64,7 +64,7 @@ DelaunayRefinementLatticeOracle::Smooth(double width)
   for (bool isDone = false; !isDone;)
   {
     m_Smoothed->Smooth(widths, m_Threads);
-    const std::vector<std::ptrdiff_t> gains = m_Smoothed->CountGains();
+    const std::vector<std::ptrdiff_t> gains = m_Smoothed->CountGains(m_Threads);
     isDone = true;
     for (std::size_t i = 0; i < widths.size(); ++i)
     {

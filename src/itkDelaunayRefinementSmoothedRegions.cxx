@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 
 namespace itk
@@ -57,7 +58,6 @@ public:
     , m_Kernels(kernels)
     , m_KernelOf(kernelOf)
     , m_Reach(reach)
-    , m_Side(BlockSize + 2 * reach)
   {}
 
   void
@@ -72,8 +72,8 @@ public:
     }
     for (const auto & [key, window] : m_Windows)
     {
-      if (m_Kernels[key.second][0].taps.size() == 1 && m_Kernels[key.second][1].taps.size() == 1 &&
-          m_Kernels[key.second][2].taps.size() == 1)
+      const auto & axes = m_Kernels[key.second].axes;
+      if (std::all_of(axes.begin(), axes.end(), [](const KernelType & kernel) { return kernel.taps.size() == 1; }))
       {
         this->KeepAsTheyAre(window, key.first, sums);
       }
@@ -109,49 +109,67 @@ public:
   }
 
 private:
-  /** A region's voxels that are smoothed alike; 1 where it is. */
-  using WindowType = std::vector<float>;
+  /** A region's voxels that are smoothed alike, in a block and as far around as their kernels reach. */
+  struct WindowType
+  {
+    std::int32_t                           reach{ 0 };
+    std::int32_t                           side{ 0 };
+    std::vector<float>                     values{}; // 1 where the region is
+    DelaunayRefinementArray<std::uint16_t> filled{}; // how many voxels of each row are 1
+  };
+
   using KeyType = std::pair<DelaunayRefinementRegion, std::uint32_t>;
 
   void
   Gather(const IndexType & first)
   {
     m_Windows.clear();
-    for (std::int32_t z = 0; z < m_Side; ++z)
+    for (std::int32_t z = -m_Reach; z < BlockSize + m_Reach; ++z)
     {
-      const std::int32_t voxelZ = first[2] + z - m_Reach - 1;
-      for (std::int32_t y = 0; y < m_Side && voxelZ >= 0 && voxelZ < m_Size[2]; ++y)
+      for (std::int32_t y = -m_Reach; y < BlockSize + m_Reach; ++y)
       {
-        const std::int32_t voxelY = first[1] + y - m_Reach - 1;
-        if (voxelY >= 0 && voxelY < m_Size[1])
+        const std::int32_t voxelY = first[1] + y - 1;
+        const std::int32_t voxelZ = first[2] + z - 1;
+        if (voxelY >= 0 && voxelY < m_Size[1] && voxelZ >= 0 && voxelZ < m_Size[2])
         {
-          this->GatherRow(first[0] - m_Reach - 1, voxelY, voxelZ, (static_cast<std::size_t>(z) * m_Side + y) * m_Side);
+          this->GatherRow(first[0] - 1, voxelY, voxelZ, y, z);
         }
       }
     }
   }
 
-  /** The runs of a row from a voxel. */
+  /** The runs of a row of voxels, each as far from the block as its kernels reach: \c start is the block's first voxel
+   * along x, \c y and \c z are counted from the block. */
   void
-  GatherRow(std::int32_t start, std::int32_t y, std::int32_t z, std::size_t offset)
+  GatherRow(std::int32_t start, std::int32_t voxelY, std::int32_t voxelZ, std::int32_t y, std::int32_t z)
   {
     const auto & runs = m_Components.GetRuns();
-    const auto   begin = runs.begin() + static_cast<std::ptrdiff_t>(m_Components.GetFirstRun(y, z));
-    const auto   end = runs.begin() + static_cast<std::ptrdiff_t>(m_Components.GetFirstRun(y + 1, z));
-    auto         run = std::partition_point(begin, end, [start](const auto & r) { return r.last < start; });
-    for (; run != end && run->first < start + m_Side; ++run)
+    const auto   begin = runs.begin() + static_cast<std::ptrdiff_t>(m_Components.GetFirstRun(voxelY, voxelZ));
+    const auto   end = runs.begin() + static_cast<std::ptrdiff_t>(m_Components.GetFirstRun(voxelY + 1, voxelZ));
+    const auto   distance = [](std::int32_t place) { return std::max(-place, place - BlockSize + 1); };
+    const auto   leastReach = std::max(distance(y), distance(z));
+    auto         run = std::partition_point(begin, end, [&](const auto & r) { return r.last < start - m_Reach; });
+    for (; run != end && run->first < start + BlockSize + m_Reach; ++run)
     {
-      const DelaunayRefinementRegion region = m_Components.GetComponents()[run->component].region;
-      WindowType &                   window = m_Windows[{ region, m_KernelOf[run->component] }];
-      if (window.empty())
+      const std::uint32_t kernel = m_KernelOf[run->component];
+      const std::int32_t  reach = m_Kernels[kernel].reach;
+      const std::int32_t  from = std::max(run->first - start + reach, 0);
+      const std::int32_t  to = std::min(run->last + 1 - start + reach, BlockSize + 2 * reach);
+      if (leastReach > reach || from >= to)
       {
-        window.assign(static_cast<std::size_t>(m_Side) * m_Side * m_Side, 0.0f);
+        continue;
       }
-      const std::int32_t from = std::max(run->first, start) - start;
-      const std::int32_t to = std::min(run->last, start + m_Side - 1) - start;
-      std::fill(window.begin() + static_cast<std::ptrdiff_t>(offset + from),
-                window.begin() + static_cast<std::ptrdiff_t>(offset + to + 1),
-                1.0f);
+      WindowType & window = m_Windows[{ m_Components.GetComponents()[run->component].region, kernel }];
+      if (window.values.empty())
+      {
+        window.reach = reach;
+        window.side = BlockSize + 2 * reach;
+        window.values.assign(static_cast<std::size_t>(window.side) * window.side * window.side, 0.0f);
+        window.filled.assign(static_cast<std::size_t>(window.side) * window.side, 0);
+      }
+      const std::size_t row = static_cast<std::size_t>(z + reach) * window.side + y + reach;
+      window.filled[row] = static_cast<std::uint16_t>(window.filled[row] + to - from);
+      std::fill_n(window.values.begin() + static_cast<std::ptrdiff_t>(row * window.side + from), to - from, 1.0f);
     }
   }
 
@@ -163,10 +181,10 @@ private:
   {
     for (std::size_t i = 0; i < BlockVolume; ++i)
     {
-      const std::size_t x = i % BlockSize + m_Reach;
-      const std::size_t y = i / BlockSize % BlockSize + m_Reach;
-      const std::size_t z = i / (BlockSize * BlockSize) + m_Reach;
-      if (window[(z * m_Side + y) * m_Side + x] != 0.0f)
+      const std::size_t x = i % BlockSize + window.reach;
+      const std::size_t y = i / BlockSize % BlockSize + window.reach;
+      const std::size_t z = i / (BlockSize * BlockSize) + window.reach;
+      if (window.values[(z * window.side + y) * window.side + x] != 0.0f)
       {
         for (auto & [other, weights] : sums)
         {
@@ -182,34 +200,49 @@ private:
   {
     constexpr std::size_t size = BlockSize + 2;
     constexpr std::size_t layer = size * size;
-    const std::size_t     side = m_Side;
-    const std::size_t     margin = m_Reach - 1;
+    const std::size_t     side = window.side;
+    const std::size_t     margin = window.reach - 1;
     m_AlongX.assign(side * side * size, 0.0f);
     for (std::size_t row = 0; row < side * side; ++row)
     {
-      Convolve<size>(window.data() + row * side + margin, 1, kernels[0], m_AlongX.data() + row * size);
+      float * const to = m_AlongX.data() + row * size;
+      if (window.filled[row] == side)
+      {
+        std::fill_n(to, size, 1.0f);
+      }
+      else if (window.filled[row] != 0)
+      {
+        Convolve<size>(window.values.data() + row * side + margin, 1, kernels.axes[0], to);
+      }
     }
     m_AlongY.assign(side * layer, 0.0f);
     for (std::size_t z = 0; z < side; ++z)
     {
+      const auto rows = window.filled.begin() + static_cast<std::ptrdiff_t>(z * side);
+      if (std::all_of(rows, rows + static_cast<std::ptrdiff_t>(side), [](std::uint16_t filled) { return filled == 0; }))
+      {
+        continue;
+      }
       for (std::size_t y = 0; y < size; ++y)
       {
-        Convolve<size>(
-          m_AlongX.data() + (z * side + y + margin) * size, size, kernels[1], m_AlongY.data() + (z * size + y) * size);
+        Convolve<size>(m_AlongX.data() + (z * side + y + margin) * size,
+                       size,
+                       kernels.axes[1],
+                       m_AlongY.data() + (z * size + y) * size);
       }
     }
     m_Smooth.assign(size * layer, 0.0f);
     for (std::size_t z = 0; z < size; ++z)
     {
-      Convolve<layer>(m_AlongY.data() + (z + margin) * layer, layer, kernels[2], m_Smooth.data() + z * layer);
+      Convolve<layer>(m_AlongY.data() + (z + margin) * layer, layer, kernels.axes[2], m_Smooth.data() + z * layer);
     }
     for (std::size_t i = 0; i < BlockVolume; ++i)
     {
       const float * at = m_Smooth.data() + (1 + i % BlockSize) + size * (1 + i / BlockSize % BlockSize) +
                          layer * (1 + i / (BlockSize * BlockSize));
-      sums[i] += *at - kernels[0].correction * (at[1] - 2.0f * at[0] + *(at - 1)) -
-                 kernels[1].correction * (at[size] - 2.0f * at[0] + *(at - size)) -
-                 kernels[2].correction * (at[layer] - 2.0f * at[0] + *(at - layer));
+      sums[i] += *at - kernels.axes[0].correction * (at[1] - 2.0f * at[0] + *(at - 1)) -
+                 kernels.axes[1].correction * (at[size] - 2.0f * at[0] + *(at - size)) -
+                 kernels.axes[2].correction * (at[layer] - 2.0f * at[0] + *(at - layer));
     }
   }
 
@@ -234,7 +267,6 @@ private:
   const std::vector<KernelsType> &              m_Kernels;
   const std::vector<std::uint32_t> &            m_KernelOf;
   std::int32_t                                  m_Reach;
-  std::int32_t                                  m_Side;
   std::map<KeyType, WindowType>                 m_Windows{};
   std::vector<float>                            m_AlongX{};
   std::vector<float>                            m_AlongY{};
@@ -331,11 +363,12 @@ DelaunayRefinementSmoothedRegions::Smooth(const WidthsType & widths, DelaunayRef
       kernels.emplace_back();
       for (unsigned int i = 0; i < 3; ++i)
       {
-        kernels.back()[i] = MakeKernel(width / m_Spacing[i]);
-        reach = std::max(reach, kernels.back()[i].radius + 1);
+        kernels.back().axes[i] = MakeKernel(width / m_Spacing[i]);
+        kernels.back().reach = std::max(kernels.back().reach, kernels.back().axes[i].radius + 1);
       }
     }
     kernelOf.push_back(place.first->second);
+    reach = std::max(reach, kernels[kernelOf.back()].reach);
   }
   if (m_Widths.empty())
   {
@@ -412,33 +445,59 @@ DelaunayRefinementSmoothedRegions::FindComponent(const IndexType & voxel) const
 }
 
 std::vector<std::ptrdiff_t>
-DelaunayRefinementSmoothedRegions::CountGains() const
+DelaunayRefinementSmoothedRegions::CountGains(DelaunayRefinementThreads * threads) const
 {
-  const auto &                infos = m_Components.GetComponents();
-  std::vector<std::ptrdiff_t> gains(infos.size(), 0);
-  this->ForEachVoxel([&](const IndexType & voxel, DelaunayRefinementRegion region) {
-    const std::uint32_t before = this->FindComponent(voxel);
+  using Threads = DelaunayRefinementThreads;
+  constexpr std::size_t                    leastLength = 256;
+  const std::size_t                        numberOfComponents = m_Components.GetComponents().size();
+  const std::size_t                        length = Threads::ChoosePieceLength(threads, m_Blocks.size(), leastLength);
+  std::vector<std::vector<std::ptrdiff_t>> gains(Threads::CountPieces(m_Blocks.size(), length) + 1);
+  gains.front().assign(numberOfComponents, 0);
+  Threads::RunPieces(threads, m_Blocks.size(), length, [&](std::size_t piece, std::size_t begin, std::size_t end) {
+    gains[piece + 1].assign(numberOfComponents, 0);
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      this->CountGainsInBlock(m_Blocks[i], gains[piece + 1]);
+    }
+  });
+  for (std::size_t piece = 1; piece < gains.size(); ++piece)
+  {
+    std::transform(
+      gains[piece].begin(), gains[piece].end(), gains.front().begin(), gains.front().begin(), std::plus<>());
+  }
+  return gains.front();
+}
+
+void
+DelaunayRefinementSmoothedRegions::CountGainsInBlock(const BlockType & block, std::vector<std::ptrdiff_t> & gains) const
+{
+  const auto & infos = m_Components.GetComponents();
+  for (std::size_t place = 0; place < BlockVolume; ++place)
+  {
+    const IndexType                voxel = ToVoxel(block, place);
+    const DelaunayRefinementRegion region = block.regions[place];
+    const std::uint32_t            before = this->FindComponent(voxel);
     if ((before == None ? 0 : infos[before].region) == region)
     {
-      return;
+      continue;
     }
     if (before != None)
     {
       --gains[before];
     }
     // A component next to the voxel has won it.
-    for (std::int32_t i = 0; i < 27 && region != 0; ++i)
+    bool isWon = region == 0;
+    for (std::int32_t i = 0; i < 27 && !isWon; ++i)
     {
       const IndexType     next{ voxel[0] + i % 3 - 1, voxel[1] + i / 3 % 3 - 1, voxel[2] + i / 9 - 1 };
       const std::uint32_t winner = this->FindComponent(next);
       if (winner != None && infos[winner].region == region)
       {
         ++gains[winner];
-        return;
+        isWon = true;
       }
     }
-  });
-  return gains;
+  }
 }
 
 double

@@ -54,7 +54,7 @@ public:
 
   /** How many voxels each component has more than before; fewer if negative. */
   std::vector<std::ptrdiff_t>
-  CountGains() const;
+  CountGains(DelaunayRefinementThreads * threads) const;
 
   /** Calls \c action with each voxel that is kept here, places beyond the image included, and its region now. */
   template <typename TAction>
@@ -121,12 +121,19 @@ private:
   MakeKernel(double width);
 
   /** Kernels along the axes for one width. */
-  using KernelsType = std::array<KernelType, 3>;
+  struct KernelsType
+  {
+    std::array<KernelType, 3> axes{};
+    std::int32_t              reach{ 1 }; // of the widest, and one voxel more
+  };
 
   class BlockSmoother;
 
   void
   FindBlocks();
+
+  void
+  CountGainsInBlock(const BlockType & block, std::vector<std::ptrdiff_t> & gains) const;
 
   /** The blocks near components whose width is another one now; all the first time. */
   std::vector<std::size_t>

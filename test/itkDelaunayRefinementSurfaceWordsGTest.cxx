@@ -92,7 +92,7 @@ TEST(DelaunayRefinementSurfaceWords, ClearsTheCellsWithinReach)
     const CellsType                cells = MakeCells(turned, random);
     DelaunayRefinementSurfaceWords words;
     words.Start(origin, turned);
-    words.Add(cells, Delta, true);
+    words.Add(cells, { Delta, Delta });
     std::array<double, 64> centers;
     std::array<double, 64> furthests;
     centers.fill(std::numeric_limits<double>::infinity());
@@ -140,7 +140,7 @@ TEST(DelaunayRefinementSurfaceWords, RoundsTowardsLess)
     const double                   reach = GetDistance(cells, 42, place, 2);
     DelaunayRefinementSurfaceWords words;
     words.Start(origin, turned);
-    words.Add(cells, (1.0 - 1e-9) * reach, true);
+    words.Add(cells, { (1.0 - 1e-9) * reach, (1.0 - 1e-9) * reach });
     words.CoverFrom({ place[2] / 1.5, place[0], place[1] / 1.25 }, 0, 1);
     EXPECT_EQ(words.GetWord(0).uncovered >> 42 & 1u, cells.bits >> 42 & 1u);
   }
@@ -157,7 +157,7 @@ TEST(DelaunayRefinementSurfaceWords, CellsWithAMarginAreReachedLater)
     cells.margin = margin;
     DelaunayRefinementSurfaceWords words;
     words.Start(origin, turned);
-    words.Add(cells, reach + 0.05, true);
+    words.Add(cells, { reach + 0.05, reach + 0.05 });
     words.CoverFrom({ cells.corner[2] / 1.5, cells.corner[0], cells.corner[1] / 1.25 }, 0, 1);
     EXPECT_EQ(words.GetWord(0).uncovered, margin == 0.0 ? 0u : std::uint64_t{ 1 } << 63);
   }
@@ -171,7 +171,7 @@ TEST(DelaunayRefinementSurfaceWords, LeavesOtherWordsAlone)
   words.Start(origin, turned);
   for (unsigned int i = 0; i < 5; ++i)
   {
-    words.Add(cells, 100.0, true);
+    words.Add(cells, { 100.0, 100.0 });
   }
   words.CoverFrom(origin, 1, 4);
   for (unsigned int i = 0; i < 5; ++i)
@@ -190,7 +190,7 @@ TEST(DelaunayRefinementSurfaceWords, BoxesAreThoseOfTheCells)
     const std::uint64_t            some = random() & random() & random() & random();
     DelaunayRefinementSurfaceWords words;
     words.Start(origin, turned);
-    words.Add(cells, Delta, true);
+    words.Add(cells, { Delta, Delta });
     if (some == 0)
     {
       continue;
@@ -231,7 +231,7 @@ TEST(DelaunayRefinementSurfaceWords, CellsComeBackWithinTheirMargin)
     const CellsType                cells = MakeCells(turned, random);
     DelaunayRefinementSurfaceWords words;
     words.Start({ 0.0, 0.0, 0.0 }, turned);
-    words.Add(cells, Delta, true);
+    words.Add(cells, { Delta, Delta });
     const CellsType found = words.GetCells(words.GetWord(0), 5);
     EXPECT_EQ(found.bits, 5u);
     EXPECT_EQ(found.first.index, cells.first.index);
@@ -255,7 +255,7 @@ TEST(DelaunayRefinementSurfaceWords, APatchIsItsOnlyCellUnlessTheOracleKnowsMore
   for (std::size_t i = 0; i < patches.GetSize(); ++i)
   {
     const auto patch = patches.Get(i);
-    words.Add(ball.GetCellsOfPatch(patch), Delta, true);
+    words.Add(ball.GetCellsOfPatch(patch), { Delta, Delta });
     const auto & word = words.GetWord(i);
     EXPECT_EQ(word.uncovered, 1u);
     DelaunayRefinementSurfacePatches cells(patch.center);

@@ -297,6 +297,68 @@ TEST(ImageDelaunayRefinementOracle, ComponentsAreNumberedAndBounded)
   EXPECT_LT(components[right].inscribedRadius, 3.0 + OneVoxel);
 }
 
+TEST(ImageDelaunayRefinementOracle, LeastOfComponentsIsBoundedInPatches)
+{
+  // Blocks of voxels and single ones, so that components touch everywhere.
+  std::mt19937 random(3);
+  const auto   labelOf = [&random](const PointType & point) {
+    const bool isSingle = random() % 16 == 0;
+    return 1.0 + (isSingle ? random() % 4 : static_cast<unsigned int>(std::floor(point[0] / 3.0 + 10.0)) % 4);
+  };
+  const auto image = MakeImage<float>(MakeCubeGeometry(12), labelOf);
+  ObjectType object;
+  object.regionLabels = { 1.0f, 2.0f, 3.0f, 4.0f };
+  for (const bool isNearest : { false, true })
+  {
+    SCOPED_TRACE(isNearest ? "nearest" : "linear");
+    InterpolatorType::Pointer interpolator;
+    if (isNearest)
+    {
+      interpolator = itk::NearestNeighborInterpolateImageFunction<FloatImageType, double>::New();
+    }
+    const OracleType    oracle(image, object, interpolator);
+    std::vector<double> values(oracle.GetNumberOfComponents());
+    ASSERT_GT(values.size(), 20u);
+    for (double & value : values)
+    {
+      value = std::uniform_real_distribution<double>(1.0, 2.0)(random);
+    }
+    OracleType::SurfacePatches patches = oracle.GetSurfacePatches();
+    for (unsigned int split = 0; split < 4; ++split)
+    {
+      OracleType::SurfacePatches parts(patches.GetOrigin());
+      std::size_t                numberOfStrayValues = 0;
+      std::size_t                numberOfStrayParts = 0;
+      std::size_t                numberOfUniformPatches = 0;
+      for (std::size_t i = 0; i < patches.GetSize(); ++i)
+      {
+        const auto patch = patches.Get(i);
+        const auto range = oracle.FindLeastInPatch(patch, values);
+        numberOfUniformPatches += range.least == range.greatest ? 1 : 0;
+        if (PointType point; oracle.FindPointOfPatch(patch.identifier, point))
+        {
+          // Cells share their faces: a point there is in one of them alone.
+          const double least = oracle.FindLeastAt(point, values);
+          numberOfStrayValues += least < range.least || least > range.greatest ? 1 : 0;
+          EXPECT_LE(least, values[oracle.FindComponent(point)]);
+        }
+        const std::size_t first = parts.GetSize();
+        oracle.SplitSurfacePatch(patch.identifier, parts);
+        for (std::size_t j = first; j < parts.GetSize(); ++j)
+        {
+          const auto part = oracle.FindLeastInPatch(parts.Get(j), values);
+          numberOfStrayParts += part.least < range.least || part.greatest > range.greatest ? 1 : 0;
+        }
+      }
+      EXPECT_LE(numberOfStrayValues, patches.GetSize() / 20);
+      EXPECT_EQ(numberOfStrayParts, 0u);
+      // Parts of cells have one value each.
+      EXPECT_EQ(numberOfUniformPatches == patches.GetSize(), split >= OracleType::CellLevel);
+      patches = std::move(parts);
+    }
+  }
+}
+
 TEST(ImageDelaunayRefinementOracle, CellsOfAShearedImageAreThePartsOfTheirParts)
 {
   ImageGeometry geometry = MakeCubeGeometry(12);
