@@ -44,6 +44,23 @@ struct DelaunayRefinementComponent
   /** Radius of a large ball within the component, in physical units (mm). */
   double inscribedRadius{ 0.0 };
 };
+
+/** \class DelaunayRefinementCavity
+ * \brief Voxels outside the object that share faces, all surrounded by it.
+ *
+ * \ingroup DelaunayRefinement
+ */
+struct DelaunayRefinementCavity
+{
+  /** Number of voxels. */
+  std::size_t numberOfVoxels{ 0 };
+
+  /** Volume of its voxels, in physical units (mm^3). */
+  double volume{ 0.0 };
+
+  /** Physical position of the center of its first voxel. */
+  DelaunayRefinementPoint firstVoxel{};
+};
 } // end namespace itk
 
 #endif

@@ -31,6 +31,7 @@ namespace itk
 class DelaunayRefinementBricks;
 class DelaunayRefinementRegionsCell;
 class DelaunayRefinementSmoothedRegions;
+class DelaunayRefinementVoxelCavities;
 
 /** \class DelaunayRefinementLatticeOracle
  * \brief An object sampled on a lattice of voxels in physical space; what lies between the voxels is up to a model.
@@ -146,6 +147,12 @@ public:
   BoundsType
   GetComponentBounds(ComponentType component) const override;
 
+  std::uint32_t
+  GetNumberOfCavities() const override;
+
+  std::uint32_t
+  FindCavity(const PointType & point) const override;
+
   /** For each component that was smoothed by less than the width that was asked for: what it was before, and its width
    * (mm), 0 for none. */
   const std::vector<std::pair<DelaunayRefinementComponent, double>> &
@@ -162,6 +169,10 @@ public:
    * is reached: they may be too small, never too large. */
   std::vector<DelaunayRefinementComponent>
   ComputeComponents(double enough) const;
+
+  /** Describes the cavities of the mask, as it was before it was smoothed. */
+  std::vector<DelaunayRefinementCavity>
+  DescribeCavities() const;
 
   /** Area of the surface (mm^2), estimated from the faces of the mask's voxels. */
   double
@@ -245,6 +256,10 @@ private:
    * component nearest to \c point if there are none. */
   RangeType
   FindRangeInCells(IndexType first, IndexType last, const PointType & point, const std::vector<double> & values) const;
+
+  /** Of one voxel (mm^3). */
+  double
+  GetVoxelVolume() const;
 
   double
   GetSquaredLength(const PointType & latticeVector) const;
@@ -394,6 +409,7 @@ private:
   std::unique_ptr<DelaunayRefinementVoxelMask>                m_Mask;
   std::unique_ptr<DelaunayRefinementRegionChanges>            m_Changes;
   std::unique_ptr<DelaunayRefinementVoxelComponents>          m_Components;
+  std::unique_ptr<DelaunayRefinementVoxelCavities>            m_Cavities{};
   std::unique_ptr<DelaunayRefinementBricks>                   m_Bricks;
   std::unique_ptr<DelaunayRefinementSmoothedRegions>          m_Smoothed;
   std::vector<std::pair<DelaunayRefinementComponent, double>> m_LoweredWidths{};

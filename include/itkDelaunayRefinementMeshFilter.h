@@ -61,7 +61,7 @@ namespace itk
  * An ExceptionObject says what to change: no object, NaN in the image, a singular direction, labels that are not in
  * the image, several labels with an interpolator of another kind than linear and nearest neighbor, parameters that
  * contradict each other or are out of range, a mesh that would not fit into memory, MaximumNumberOfVertices reached,
- * and with \c Strict a label or a component that is missing in the mesh. An abort ends in ProcessAborted.
+ * and with \c Strict a label, component or cavity that is missing in the mesh. An abort ends in ProcessAborted.
  *
  * \par References
  * P. Foteinos, A. Chernikov, N. Chrisochoides, "Guaranteed Quality Tetrahedral Delaunay Meshing for Medical Images",
@@ -256,8 +256,8 @@ public:
   itkGetConstMacro(MinimumComponentSize, SizeValueType);
   /** @ITKEndGrouping */
 
-  /** Update() throws if a label or a component of the image is missing in the mesh. Default off: they are named in the
-   * warnings. */
+  /** Update() throws if a label, component or cavity of the image is missing in the mesh. Default off: they are named
+   * in the warnings. */
   /** @ITKStartGrouping */
   itkSetMacro(Strict, bool);
   itkGetConstMacro(Strict, bool);
@@ -283,6 +283,10 @@ public:
    * count the labels from 1. */
   itkGetConstReferenceMacro(Components, std::vector<DelaunayRefinementComponent>);
 
+  /** The cavities of the object in the last run, in the order of their first voxels; all labels together are the
+   * object. Statistics tell which of them the mesh fills. */
+  itkGetConstReferenceMacro(Cavities, std::vector<DelaunayRefinementCavity>);
+
   /** The components that were smoothed by less than Smoothing in the last run, as they were before, and their widths in
    * physical units (mm), 0 for none. */
   itkGetConstReferenceMacro(LoweredSmoothings, LoweredSmoothingsType);
@@ -293,8 +297,8 @@ public:
   /** The labels of the image, of those that were to be meshed, that no tetrahedron has in the last run, ascending. */
   itkGetConstReferenceMacro(MissingLabels, LabelsType);
 
-  /** What the user should know of the last run, a sentence each: components that are missing in the mesh, components
-   * for which delta was lowered. */
+  /** What the user should know of the last run, a sentence each: labels, components and cavities that are missing in
+   * the mesh, components for which delta or smoothing was lowered. */
   itkGetConstReferenceMacro(Warnings, std::vector<std::string>);
 
   /** Seconds of the last run, before the first vertex: scans of the image, components, the oracle. */
@@ -392,6 +396,9 @@ private:
   WarnOfComponents();
 
   void
+  WarnOfCavities();
+
+  void
   WarnOfSmoothing();
 
   void
@@ -444,6 +451,7 @@ private:
   double                                   m_EffectiveDelta{ 0.0 };
   DelaunayRefinementStatistics             m_Statistics{};
   std::vector<DelaunayRefinementComponent> m_Components{};
+  std::vector<DelaunayRefinementCavity>    m_Cavities{};
   LoweredSmoothingsType                    m_LoweredSmoothings{};
   LabelsType                               m_RegionLabels{};
   LabelsType                               m_MissingLabels{};

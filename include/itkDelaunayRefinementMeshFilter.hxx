@@ -179,6 +179,7 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::GenerateData()
 {
   m_Statistics = DelaunayRefinementStatistics();
   m_Components.clear();
+  m_Cavities.clear();
   m_LoweredSmoothings.clear();
   m_RegionLabels.clear();
   m_MissingLabels.clear();
@@ -215,7 +216,8 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::GenerateData()
       largestDelta = std::max(largestDelta, labelDelta.second);
     }
     m_Components = oracle.ComputeComponents(largestDelta);
-    const std::vector<std::uint32_t>   kept = this->LeaveOutNegligibleComponents(oracle);
+    const std::vector<std::uint32_t> kept = this->LeaveOutNegligibleComponents(oracle);
+    m_Cavities = oracle.DescribeCavities();
     const DelaunayRefinementParameters parameters = this->MakeParameters(oracle, kept);
     this->VerifyPrecision(oracle, parameters);
     this->VerifyMemory(oracle, kept, parameters);
@@ -234,6 +236,7 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::GenerateData()
     this->FindMissingLabels(result);
     this->WarnOfLabels();
     this->WarnOfComponents();
+    this->WarnOfCavities();
     this->ThrowIfStrict();
     this->WarnOfSmoothing();
 
@@ -268,6 +271,12 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::LeaveOutNegligibleCompon
   }
   if (withVolume.empty())
   {
+    if (!m_IsoValueIsSet)
+    {
+      itkExceptionMacro(
+        "There is no object to mesh: it has no volume once it is smoothed; set a smaller Smoothing than " << m_Smoothing
+                                                                                                          << " mm");
+    }
     itkExceptionMacro("There is no object to mesh: it has no volume, as no pixel value rises above IsoValue "
                       << m_IsoValue << " by much; set a lower IsoValue");
   }
@@ -535,6 +544,7 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::PrintSelf(std::ostream &
   os << indent << "EffectiveDelta: " << m_EffectiveDelta << '\n';
   os << indent << "Statistics: " << m_Statistics << '\n';
   os << indent << "Components: " << m_Components.size() << '\n';
+  os << indent << "Cavities: " << m_Cavities.size() << '\n';
   os << indent << "LoweredSmoothings: " << m_LoweredSmoothings.size() << '\n';
   printLabels("RegionLabels", m_RegionLabels);
   printLabels("MissingLabels", m_MissingLabels);

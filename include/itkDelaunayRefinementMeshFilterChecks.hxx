@@ -391,9 +391,8 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::VerifyLabels() const
       interpolator != "NearestNeighborInterpolateImageFunction")
   {
     itkExceptionMacro(
-      "Several labels are meshed with linear or nearest-neighbor interpolation; set another Interpolator "
-      "than "
-      << interpolator << ", or choose one of the labels, or set MergeLabels");
+      "Several labels are meshed with linear or nearest-neighbor interpolation; set another Interpolator than "
+      << interpolator << ", with Smoothing for smooth interfaces, or choose one of the labels, or set MergeLabels");
   }
 }
 
@@ -480,7 +479,8 @@ template <typename TInputImage, typename TOutputMesh>
 void
 DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::ThrowIfStrict() const
 {
-  if (m_Strict && !(m_MissingLabels.empty() && m_Statistics.missingComponents.empty()))
+  if (m_Strict &&
+      !(m_MissingLabels.empty() && m_Statistics.missingComponents.empty() && m_Statistics.missingCavities.empty()))
   {
     // What is missing is told first.
     itkExceptionMacro("The mesh is not complete, as Strict asks for: " << m_Warnings.front()
@@ -493,13 +493,14 @@ void
 DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::WarnOfComponents()
 {
   constexpr std::size_t mostShown = 10;
+  const std::string     orOwn = m_LabelDeltas.empty() ? "" : " or the delta of their label";
   const auto &          missing = m_Statistics.missingComponents;
   if (!missing.empty())
   {
     std::ostringstream text;
     text << missing.size() << " of " << m_Components.size()
          << (missing.size() == 1 ? " components is" : " components are") << " too small for Delta " << m_EffectiveDelta
-         << " mm and missing in the mesh:";
+         << " mm" << orOwn << " and missing in the mesh:";
     for (std::size_t i = 0; i < std::min(missing.size(), mostShown); ++i)
     {
       text << (i == 0 ? " " : ", ") << this->DescribeComponent(m_Components[missing[i]]);
@@ -514,10 +515,33 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::WarnOfComponents()
       lowered.begin(), lowered.end(), [](const auto & a, const auto & b) { return a.second < b.second; });
     std::ostringstream text;
     text << "Delta was lowered for " << lowered.size() << " of " << m_Components.size()
-         << " components that are too small for " << m_EffectiveDelta << " mm; the least is " << smallest->second
-         << " mm for " << this->DescribeComponent(m_Components[smallest->first]);
+         << " components that are too small for " << m_EffectiveDelta << " mm" << orOwn << "; the least is "
+         << smallest->second << " mm for " << this->DescribeComponent(m_Components[smallest->first]);
     m_Warnings.push_back(text.str());
   }
+}
+
+template <typename TInputImage, typename TOutputMesh>
+void
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::WarnOfCavities()
+{
+  constexpr std::size_t mostShown = 10;
+  const auto &          missing = m_Statistics.missingCavities;
+  if (missing.empty())
+  {
+    return;
+  }
+  std::ostringstream text;
+  text << missing.size() << " of " << m_Cavities.size() << (missing.size() == 1 ? " cavities is" : " cavities are")
+       << " too small for Delta " << m_EffectiveDelta << " mm and filled in the mesh:";
+  for (std::size_t i = 0; i < std::min(missing.size(), mostShown); ++i)
+  {
+    const DelaunayRefinementCavity & cavity = m_Cavities[missing[i]];
+    text << (i == 0 ? " " : ", ") << cavity.numberOfVoxels << (cavity.numberOfVoxels == 1 ? " voxel" : " voxels")
+         << " at (" << cavity.firstVoxel[0] << ", " << cavity.firstVoxel[1] << ", " << cavity.firstVoxel[2] << ")";
+  }
+  text << (missing.size() > mostShown ? ", ..." : "");
+  m_Warnings.push_back(text.str());
 }
 
 template <typename TInputImage, typename TOutputMesh>

@@ -158,6 +158,14 @@ public:
   virtual RangeType
   FindLeastInPatch(const SurfacePatches::PatchType & patch, const std::vector<double> & values) const;
 
+  /** Number of cavities of the object. Default: 0. */
+  virtual std::uint32_t
+  GetNumberOfCavities() const;
+
+  /** The cavity, numbered from 0, that a point outside belongs to; GetNumberOfCavities() for others. */
+  virtual std::uint32_t
+  FindCavity(const PointType & point) const;
+
   /** A box that contains the component and its surface; need not be tight. Default: GetSurfaceBounds(). */
   virtual BoundsType
   GetComponentBounds(ComponentType component) const;

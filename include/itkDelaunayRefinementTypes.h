@@ -115,6 +115,9 @@ struct DelaunayRefinementStatistics
   /** Components of the object, by the oracle's number, in which no tetrahedron has its circumcenter. */
   std::vector<std::uint32_t> missingComponents{};
 
+  /** Cavities of the object, by the oracle's number, in which no tetrahedron outside has its circumcenter. */
+  std::vector<std::uint32_t> missingCavities{};
+
   /** For each component for which delta was lowered: its number and the delta that was used. */
   std::vector<std::pair<std::uint32_t, double>> loweredDeltas{};
 

@@ -301,6 +301,7 @@ DelaunayRefinementEngine::Impl::RunAllPhases()
   }
 
   start = Clock::now();
+  m_Statistics.missingCavities = FindMissingDelaunayRefinementCavities(m_Oracle, *m_Complex, m_Threads);
   if (this->KeepGoing())
   {
     m_Result = ExtractDelaunayRefinementResult(*m_Complex, &m_Threads);

@@ -19,6 +19,7 @@
 
 #include "itkDelaunayRefinementBits.h"
 #include "itkDelaunayRefinementGeometry.h"
+#include "itkDelaunayRefinementVoxelCavities.h"
 
 #include <algorithm>
 #include <cmath>
@@ -72,8 +73,7 @@ DelaunayRefinementLatticeOracle::ComputeComponents(double enough) const
   const auto & infos = m_Components->GetComponents();
   // Widths are measured along axes; a ball as wide as that along each may have less than that for a radius.
   const std::vector<IndexType> centers = this->FindThickVoxels(2.0 * enough + this->GetLeastSpacing());
-  const double                 voxelVolume =
-    std::abs(Geometry::Dot(m_Frame.axes[0], Geometry::Cross(m_Frame.axes[1], m_Frame.axes[2])));
+  const double                 voxelVolume = this->GetVoxelVolume();
   // Single voxels of a mask look the same everywhere.
   const bool                               isMask = m_Model == ModelEnum::INDICATOR || m_Model == ModelEnum::NEAREST;
   std::vector<DelaunayRefinementComponent> components(infos.size());
@@ -91,6 +91,26 @@ DelaunayRefinementLatticeOracle::ComputeComponents(double enough) const
     }
   });
   return components;
+}
+
+std::vector<DelaunayRefinementCavity>
+DelaunayRefinementLatticeOracle::DescribeCavities() const
+{
+  std::vector<DelaunayRefinementCavity> cavities;
+  for (const auto & cavity : m_Cavities->Get())
+  {
+    const IndexType & first = cavity.firstVoxel;
+    cavities.push_back({ cavity.numberOfVoxels,
+                         this->GetVoxelVolume() * static_cast<double>(cavity.numberOfVoxels),
+                         this->ToPhysical(PointType{ first[0] + 1.0, first[1] + 1.0, first[2] + 1.0 }) });
+  }
+  return cavities;
+}
+
+double
+DelaunayRefinementLatticeOracle::GetVoxelVolume() const
+{
+  return std::abs(Geometry::Dot(m_Frame.axes[0], Geometry::Cross(m_Frame.axes[1], m_Frame.axes[2])));
 }
 
 std::vector<DelaunayRefinementLatticeOracle::CandidateType>
@@ -298,15 +318,13 @@ DelaunayRefinementLatticeOracle::ComputeVoxelVolume() const
   {
     numberOfVoxels += info.numberOfVoxels;
   }
-  return std::abs(Geometry::Dot(m_Frame.axes[0], Geometry::Cross(m_Frame.axes[1], m_Frame.axes[2]))) *
-         static_cast<double>(numberOfVoxels);
+  return this->GetVoxelVolume() * static_cast<double>(numberOfVoxels);
 }
 
 double
 DelaunayRefinementLatticeOracle::ComputeDefaultDelta() const
 {
-  const double voxel =
-    std::cbrt(std::abs(Geometry::Dot(m_Frame.axes[0], Geometry::Cross(m_Frame.axes[1], m_Frame.axes[2]))));
+  const double voxel = std::cbrt(this->GetVoxelVolume());
   return std::max(DefaultDeltaInVoxels * voxel,
                   std::sqrt(TetrahedraPerArea * this->EstimateSurfaceArea() / MostDefaultTetrahedra));
 }

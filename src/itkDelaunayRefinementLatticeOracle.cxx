@@ -20,6 +20,7 @@
 #include "itkDelaunayRefinementGeometry.h"
 #include "itkDelaunayRefinementLatticeVisit.h"
 #include "itkDelaunayRefinementSmoothedRegions.h"
+#include "itkDelaunayRefinementVoxelCavities.h"
 
 #include <algorithm>
 #include <cmath>
@@ -89,6 +90,7 @@ DelaunayRefinementLatticeOracle::Initialize(ModelEnum                           
   m_LeastStretch = std::max(0.0, ComputeLeastEigenvalue(cosine(0, 1), cosine(0, 2), cosine(1, 2)) - noShear);
   m_Mask = std::make_unique<DelaunayRefinementVoxelMask>(std::move(mask));
   m_Components = std::make_unique<DelaunayRefinementVoxelComponents>(std::move(components));
+  m_Cavities = std::make_unique<DelaunayRefinementVoxelCavities>(*m_Components, m_Mask->GetSize());
   m_Changes = std::move(changes);
   m_HasRegions = m_Changes != nullptr;
   m_Bricks = std::make_unique<DelaunayRefinementBricks>(*m_Mask, m_Changes.get(), m_Threads);
@@ -119,6 +121,10 @@ DelaunayRefinementLatticeOracle::RemoveComponents(const std::vector<bool> & isRe
     }
   }
   m_Components->Remove(isRemoved, *m_Mask);
+  if (m_Smoothed == nullptr)
+  {
+    m_Cavities = std::make_unique<DelaunayRefinementVoxelCavities>(*m_Components, m_Mask->GetSize());
+  }
   m_Bricks->Update(*m_Mask, m_Changes.get(), boxes);
 }
 
@@ -507,5 +513,43 @@ DelaunayRefinementLatticeOracle::GetComponentBounds(ComponentType component) con
     lattice.maximum[i] = info.maximum[i] + 2;
   }
   return this->ToPhysical(lattice);
+}
+
+std::uint32_t
+DelaunayRefinementLatticeOracle::GetNumberOfCavities() const
+{
+  return static_cast<std::uint32_t>(m_Cavities->Get().size());
+}
+
+std::uint32_t
+DelaunayRefinementLatticeOracle::FindCavity(const PointType & point) const
+{
+  const std::uint32_t number = this->GetNumberOfCavities();
+  if (number == 0)
+  {
+    return number;
+  }
+  const PointType lattice = this->ToLattice(point);
+  IndexType       cell;
+  IndexType       nearest;
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    if (!(lattice[i] > 0.0 && lattice[i] < m_Mask->GetSize()[i] + 1.0))
+    {
+      return number;
+    }
+    cell[i] = static_cast<std::int32_t>(lattice[i]);
+    nearest[i] = static_cast<std::int32_t>(lattice[i] + 0.5) - 1;
+  }
+  std::uint32_t cavity = m_Cavities->Find(nearest);
+  if (m_Mask->Get(nearest[0], nearest[1], nearest[2]))
+  {
+    // A point outside may be nearest to a voxel of the object.
+    for (std::int32_t i = 0; i < 8 && cavity == DelaunayRefinementVoxelCavities::None; ++i)
+    {
+      cavity = m_Cavities->Find({ cell[0] - 1 + (i & 1), cell[1] - 1 + (i >> 1 & 1), cell[2] - 1 + (i >> 2) });
+    }
+  }
+  return std::min(cavity, number);
 }
 } // end namespace itk

@@ -28,6 +28,8 @@ using PointType = DelaunayRefinementPoint;
 using BoundsType = DelaunayRefinementOracle::BoundsType;
 using IndexType = DelaunayRefinementComplex::IndexType;
 
+constexpr std::size_t CellsPerPiece = 16384;
+
 /** \class MissingComponents
  * \brief Components that are sought, as the bits of words.
  *
@@ -134,10 +136,9 @@ FindMissingDelaunayRefinementComponents(const DelaunayRefinementOracle &  oracle
                                         const DelaunayRefinementComplex & complex,
                                         DelaunayRefinementThreads &       threads)
 {
-  const auto &          triangulation = complex.GetTriangulation();
-  MissingComponents     missing(oracle);
-  constexpr std::size_t cellsPerPiece = 16384;
-  const auto            visitPiece = [&](std::size_t, std::size_t begin, std::size_t end) {
+  const auto &      triangulation = complex.GetTriangulation();
+  MissingComponents missing(oracle);
+  const auto        visitPiece = [&](std::size_t, std::size_t begin, std::size_t end) {
     for (auto cell = static_cast<IndexType>(begin); cell < end && missing.IsAnyMissing(); ++cell)
     {
       if (triangulation.IsAlive(cell) && complex.GetRegion(cell) != 0)
@@ -146,7 +147,39 @@ FindMissingDelaunayRefinementComponents(const DelaunayRefinementOracle &  oracle
       }
     }
   };
-  DelaunayRefinementThreads::RunPieces(&threads, triangulation.GetNumberOfCellIndexes(), cellsPerPiece, visitPiece);
+  DelaunayRefinementThreads::RunPieces(&threads, triangulation.GetNumberOfCellIndexes(), CellsPerPiece, visitPiece);
   return missing.List();
+}
+
+std::vector<std::uint32_t>
+FindMissingDelaunayRefinementCavities(const DelaunayRefinementOracle &  oracle,
+                                      const DelaunayRefinementComplex & complex,
+                                      DelaunayRefinementThreads &       threads)
+{
+  const auto &                   triangulation = complex.GetTriangulation();
+  std::vector<std::atomic<bool>> isFound(oracle.GetNumberOfCavities());
+  const auto                     visitPiece = [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (auto cell = static_cast<IndexType>(begin); cell < end && !isFound.empty(); ++cell)
+    {
+      if (triangulation.IsAlive(cell) && complex.GetRegion(cell) == 0)
+      {
+        const std::uint32_t cavity = oracle.FindCavity(complex.GetCircumcenter(cell));
+        if (cavity < isFound.size())
+        {
+          isFound[cavity].store(true, std::memory_order_relaxed);
+        }
+      }
+    }
+  };
+  DelaunayRefinementThreads::RunPieces(&threads, triangulation.GetNumberOfCellIndexes(), CellsPerPiece, visitPiece);
+  std::vector<std::uint32_t> missing;
+  for (std::uint32_t cavity = 0; cavity < isFound.size(); ++cavity)
+  {
+    if (!isFound[cavity])
+    {
+      missing.push_back(cavity);
+    }
+  }
+  return missing;
 }
 } // end namespace itk

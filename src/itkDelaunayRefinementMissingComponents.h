@@ -28,6 +28,12 @@ std::vector<std::uint32_t>
 FindMissingDelaunayRefinementComponents(const DelaunayRefinementOracle &  oracle,
                                         const DelaunayRefinementComplex & complex,
                                         DelaunayRefinementThreads &       threads);
+
+/** The cavities in which no tetrahedron outside has its circumcenter, in ascending order. */
+std::vector<std::uint32_t>
+FindMissingDelaunayRefinementCavities(const DelaunayRefinementOracle &  oracle,
+                                      const DelaunayRefinementComplex & complex,
+                                      DelaunayRefinementThreads &       threads);
 } // end namespace itk
 
 #endif

@@ -124,6 +124,18 @@ DelaunayRefinementOracle::FindLeastInPatch(const SurfacePatches::PatchType & pat
   return range;
 }
 
+std::uint32_t
+DelaunayRefinementOracle::GetNumberOfCavities() const
+{
+  return 0;
+}
+
+std::uint32_t
+DelaunayRefinementOracle::FindCavity(const PointType &) const
+{
+  return this->GetNumberOfCavities();
+}
+
 DelaunayRefinementOracle::BoundsType
 DelaunayRefinementOracle::GetComponentBounds(ComponentType) const
 {

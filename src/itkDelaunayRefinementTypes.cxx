@@ -41,6 +41,7 @@ operator<<(std::ostream & out, const DelaunayRefinementStatistics & statistics)
   return out << "; seconds of sampling " << statistics.samplingSeconds << ", of insertion "
              << statistics.insertionSeconds << ", of refinement " << statistics.refinementSeconds << ", of extraction "
              << statistics.extractionSeconds << "; missing components " << statistics.missingComponents.size()
-             << "; lowered deltas " << statistics.loweredDeltas.size();
+             << "; missing cavities " << statistics.missingCavities.size() << "; lowered deltas "
+             << statistics.loweredDeltas.size();
 }
 } // end namespace itk

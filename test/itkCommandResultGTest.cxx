@@ -223,6 +223,18 @@ TEST_F(CommandResult, MissingLabelsAreNamed)
   EXPECT_EQ(report.at("missing_components")[0].at("voxels"), 1);
 }
 
+TEST_F(CommandResult, FilledCavitiesAreNamed)
+{
+  TestVolume<std::uint8_t> volume;
+  volume.AddBall({ { 11.5, 11.5, 11.5 } }, 9.0, 3);
+  volume.AddBall({ { 11.0, 11.0, 11.0 } }, 0.5, 0);
+  const Json report = this->Run(volume, { "--delta", "6" });
+  EXPECT_EQ(report.at("cavities"), 1);
+  ASSERT_EQ(report.at("missing_cavities").size(), 1u);
+  EXPECT_EQ(report.at("missing_cavities")[0].at("voxels"), 1);
+  EXPECT_EQ(report.at("missing_cavities")[0].at("place"), Json({ 11.0, 11.0, 11.0 }));
+}
+
 TEST_F(CommandResult, ThresholdsMayBeNegative)
 {
   const Json ball = this->Run(MakeDistances(), { "--threshold", "-8", "--delta", "2" });

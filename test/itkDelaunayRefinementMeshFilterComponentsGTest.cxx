@@ -20,6 +20,7 @@
 
 #include "itkFilterRun.h"
 
+#include <random>
 #include <sstream>
 
 using namespace itk::DelaunayRefinementTest;
@@ -270,4 +271,107 @@ TEST(DelaunayRefinementMeshFilterComponents, VoxelsThatShareAnEdgeAreOne)
   };
   EXPECT_EQ(countComponents(atEdge), 1u);
   EXPECT_EQ(countComponents(atCorner), 2u);
+}
+
+TEST(DelaunayRefinementMeshFilterComponents, CavitiesAreWhatNoWayLeadsOutOf)
+{
+  constexpr int size = 16;
+  std::mt19937  random(2);
+  for (const unsigned int percentInside : { 60u, 80u, 95u })
+  {
+    SCOPED_TRACE(percentInside);
+    std::vector<std::array<int, 3>> voxels;
+    std::vector<int>                state(size * size * size, 0); // 1 inside, 2 has a way out
+    const auto at = [&state](int x, int y, int z) -> int & { return state[(z * size + y) * size + x]; };
+    for (int i = 0; i < size * size * size; ++i)
+    {
+      if (random() % 100 < percentInside)
+      {
+        state[i] = 1;
+        voxels.push_back({ i % size, i / size % size, i / (size * size) });
+      }
+    }
+    // By going over all voxels until nothing changes.
+    for (bool isChanged = true; isChanged;)
+    {
+      isChanged = false;
+      for (int i = 0; i < size * size * size; ++i)
+      {
+        const int  x = i % size;
+        const int  y = i / size % size;
+        const int  z = i / (size * size);
+        const bool isBorder = std::min({ x, y, z }) == 0 || std::max({ x, y, z }) == size - 1;
+        if (state[i] == 0 && (isBorder || at(x - 1, y, z) == 2 || at(x + 1, y, z) == 2 || at(x, y - 1, z) == 2 ||
+                              at(x, y + 1, z) == 2 || at(x, y, z - 1) == 2 || at(x, y, z + 1) == 2))
+        {
+          state[i] = 2;
+          isChanged = true;
+        }
+      }
+    }
+    const auto enclosed = static_cast<std::size_t>(std::count(state.begin(), state.end(), 0));
+    const auto filter = MakeFilter(MakeVoxels(size, voxels).GetPointer(), 4.0);
+    filter->Update();
+    std::size_t numberOfVoxels = 0;
+    for (const auto & cavity : filter->GetCavities())
+    {
+      numberOfVoxels += cavity.numberOfVoxels;
+      EXPECT_EQ(cavity.volume, static_cast<double>(cavity.numberOfVoxels));
+      const auto & place = cavity.firstVoxel;
+      EXPECT_EQ(at(static_cast<int>(place[0]), static_cast<int>(place[1]), static_cast<int>(place[2])), 0);
+    }
+    EXPECT_EQ(numberOfVoxels, enclosed);
+    EXPECT_GT(filter->GetCavities().size(), 10u);
+  }
+}
+
+TEST(DelaunayRefinementMeshFilterComponents, CavitiesAreFoundOrNamed)
+{
+  // A block with a cavity of 216 voxels, one of 8, and one of a single voxel.
+  constexpr int                   size = 30;
+  std::vector<std::array<int, 3>> voxels;
+  const auto                      isIn = [](int i, int first, int edge) { return i >= first && i < first + edge; };
+  for (int i = 0; i < size * size * size; ++i)
+  {
+    const int  x = i % size;
+    const int  y = i / size % size;
+    const int  z = i / (size * size);
+    const auto isInCube = [&](int first, int edge) {
+      return isIn(x, first, edge) && isIn(y, first, edge) && isIn(z, first, edge);
+    };
+    if (isInCube(2, 26) && !isInCube(5, 6) && !isInCube(16, 2) && !isInCube(23, 1))
+    {
+      voxels.push_back({ x, y, z });
+    }
+  }
+  for (const double delta : { 1.0, 2.0, 3.0, 5.0 })
+  {
+    SCOPED_TRACE(delta);
+    const auto filter = MakeFilter(MakeVoxels(size, voxels).GetPointer(), delta);
+    filter->Update();
+    ASSERT_EQ(filter->GetCavities().size(), 3u);
+    const auto &      missing = filter->GetStatistics().missingCavities;
+    const auto        found = static_cast<int>(3 - missing.size());
+    const CheckedMesh mesh = GetMesh(filter.GetPointer());
+    ExpectGuarantees(mesh);
+    ExpectTopology(mesh, { 1, 1 + found, 2 * (1 + found) });
+    std::string warnings;
+    for (const std::string & warning : filter->GetWarnings())
+    {
+      warnings += warning;
+    }
+    const bool isSingleMissing = std::find(missing.begin(), missing.end(), 2u) != missing.end();
+    EXPECT_EQ(warnings.find("1 voxel at (23, 23, 23)") != std::string::npos, isSingleMissing) << warnings;
+    filter->StrictOn();
+    if (missing.empty())
+    {
+      filter->Update();
+    }
+    else
+    {
+      ExpectError(filter.GetPointer(), { "Strict", "cavit" });
+    }
+    EXPECT_EQ(missing.size() < 3, delta < 5.0);
+    EXPECT_EQ(missing.empty(), delta < 2.0);
+  }
 }

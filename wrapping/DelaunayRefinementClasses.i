@@ -118,7 +118,7 @@ smoothing : float, mm, default: 0.0 (off)
     Width by which the steps of labels' voxels are smoothed; 0.5 to 1 voxel
     takes most of them away. Volumes are kept.
 strict : bool, default: False
-    A label or a component that is missing in the mesh is an error.
+    A label, a component or a cavity that is missing in the mesh is an error.
 
 How fine:
 

@@ -53,7 +53,8 @@ PrintReport(std::ostream & out, const Report & report)
   text << report.options.output << ": " << run.mesh->GetNumberOfCells() << " tetrahedra, "
        << run.mesh->GetNumberOfPoints() << " points, " << run.boundary->GetNumberOfCells() << " boundary triangles\n"
        << "delta " << run.delta << " mm" << (report.options.delta ? "" : " (chosen from the image)") << "; components "
-       << run.components.size() << ", not in the mesh " << statistics.missingComponents.size() << "\n";
+       << run.components.size() << ", not in the mesh " << statistics.missingComponents.size() << "; cavities "
+       << run.cavities.size() << ", not in the mesh " << statistics.missingCavities.size() << "\n";
 
   text << std::fixed << std::setprecision(3) << "seconds: reading " << run.readingSeconds << ", preparation "
        << run.preparationSeconds << ", sampling " << statistics.samplingSeconds << ", insertion "

@@ -152,6 +152,19 @@ MissingComponents(const Run & run)
 }
 
 Json
+MissingCavities(const Run & run)
+{
+  Json list = Json::array();
+  for (const std::size_t number : run.statistics.missingCavities)
+  {
+    const itk::DelaunayRefinementCavity & cavity = run.cavities.at(number);
+    list.push_back(
+      { { "voxels", cavity.numberOfVoxels }, { "volume", cavity.volume }, { "place", cavity.firstVoxel } });
+  }
+  return list;
+}
+
+Json
 LoweredDeltas(const Run & run)
 {
   Json list = Json::array();
@@ -207,6 +220,8 @@ Compose(const Report & report)
            { "labels", run.labels },
            { "components", run.components.size() },
            { "missing_components", MissingComponents(run) },
+           { "cavities", run.cavities.size() },
+           { "missing_cavities", MissingCavities(run) },
            { "missing_labels", run.missingLabels },
            { "lowered_deltas", LoweredDeltas(run) },
            { "lowered_smoothings", LoweredSmoothings(run) },

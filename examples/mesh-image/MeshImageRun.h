@@ -40,6 +40,7 @@ struct Run
   double                                                           delta{ 0.0 };
   itk::DelaunayRefinementStatistics                                statistics;
   std::vector<itk::DelaunayRefinementComponent>                    components;
+  std::vector<itk::DelaunayRefinementCavity>                       cavities;
   std::vector<std::uint64_t>                                       labels;
   std::vector<std::pair<itk::DelaunayRefinementComponent, double>> loweredSmoothings;
   std::vector<std::uint64_t>                                       missingLabels;

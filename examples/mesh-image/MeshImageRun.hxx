@@ -197,6 +197,7 @@ RunFilterOnPixels(const Options & options, itk::ImageIOBase * io, const Progress
   run.delta = filter->GetEffectiveDelta();
   run.statistics = filter->GetStatistics();
   run.components = filter->GetComponents();
+  run.cavities = filter->GetCavities();
   run.loweredSmoothings = filter->GetLoweredSmoothings();
   run.labels.assign(filter->GetRegionLabels().begin(), filter->GetRegionLabels().end());
   run.missingLabels.assign(filter->GetMissingLabels().begin(), filter->GetMissingLabels().end());
