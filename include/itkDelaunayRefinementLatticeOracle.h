@@ -244,6 +244,12 @@ protected:
 private:
   using IndexType = std::array<std::int32_t, 3>;
 
+  bool
+  HasRegions() const
+  {
+    return m_Changes != nullptr;
+  }
+
   /** Lattice coordinates count voxels from the outer layer: cell (i, j, k) spans [i, i+1] x [j, j+1] x [k, k+1]. */
   PointType
   ToLattice(const PointType & physical) const;
@@ -397,7 +403,6 @@ private:
   ClimbToInscribedRadius(const IndexType & voxel, double enough) const;
 
   ModelEnum                                                   m_Model{ ModelEnum::INDICATOR };
-  bool                                                        m_HasRegions{ false };
   FrameType                                                   m_Frame{};
   PointType                                                   m_LatticeOrigin{};
   std::array<PointType, 3>                                    m_InverseRows{};

@@ -22,6 +22,7 @@
 #include "itkDelaunayRefinementCircumcenters.h"
 #include "itkDelaunayRefinementComplex.h"
 #include "itkDelaunayRefinementEncroachment.h"
+#include "itkDelaunayRefinementFlatTetrahedra.h"
 #include "itkDelaunayRefinementExtraction.h"
 #include "itkDelaunayRefinementJunctionSample.h"
 #include "itkDelaunayRefinementMissingComponents.h"
@@ -33,14 +34,12 @@
 
 #include <algorithm>
 #include <chrono>
-#include <mutex>
 #include <random>
 
 namespace itk
 {
 namespace
 {
-using Geometry = DelaunayRefinementGeometry;
 using RefinementRule = DelaunayRefinementEnums::RefinementRule;
 using EncroachmentCase = DelaunayRefinementEnums::EncroachmentCase;
 using TerminationReason = DelaunayRefinementEnums::TerminationReason;
@@ -61,10 +60,8 @@ constexpr unsigned int ProgressInterval = 256;
 /** A component without a tetrahedron gets half its delta this often. */
 constexpr unsigned int MaximumNumberOfLowerings = 4;
 
-/** Tetrahedra with a smaller volume over their longest edge cubed get another vertex, moved by this share of delta. */
-constexpr double       FlattestShape = 1e-10;
+/** Tetrahedra that are too flat get another vertex, moved by this share of delta. */
 constexpr double       ShapeMove = 1e-3;
-constexpr unsigned int MostShapeCrossings = 32;
 constexpr unsigned int MaximumNumberOfShapeRounds = 20;
 } // namespace
 
@@ -176,30 +173,8 @@ private:
   bool
   MendFlatTetrahedra();
 
-  bool
-  IsFlat(IndexType cell) const;
-
   void
   MoveVertex(IndexType vertex);
-
-  /** Calls \c visitor with all finite cells, on all threads. */
-  template <typename TVisitor>
-  void
-  VisitAllCells(const TVisitor & visitor)
-  {
-    const auto &      triangulation = m_Complex->GetTriangulation();
-    const std::size_t length = triangulation.GetNumberOfCellIndexes();
-    const auto        visitPiece = [&](std::size_t, std::size_t begin, std::size_t end) {
-      for (auto cell = static_cast<IndexType>(begin); cell < end; ++cell)
-      {
-        if (triangulation.IsAlive(cell) && !triangulation.IsInfinite(cell))
-        {
-          visitor(cell);
-        }
-      }
-    };
-    DelaunayRefinementThreads::RunPieces(&m_Threads, length, CellsPerPiece, visitPiece);
-  }
 
   /** Lowers delta for components in which no tetrahedron has its circumcenter; false if there were none. */
   bool
@@ -664,40 +639,17 @@ DelaunayRefinementEngine::Impl::MendFlatTetrahedra()
   {
     return false;
   }
-  std::vector<IndexType> vertices;
-  std::mutex             mutex;
-  this->VisitAllCells([&](IndexType cell) {
-    if (m_Complex->GetRegion(cell) != 0 && this->IsFlat(cell))
-    {
-      const auto & v = m_Complex->GetTriangulation().GetCell(cell).vertices;
-      const auto   isFree = [&](IndexType vertex) { return m_Complex->GetKind(vertex) == VertexKind::FREE; };
-      const auto   free = std::find_if(v.begin(), v.end(), isFree);
-
-      const std::lock_guard<std::mutex> lock(mutex);
-      vertices.push_back(free != v.end() ? *free : *std::max_element(v.begin(), v.end()));
-    }
-  });
+  const std::vector<IndexType> vertices = FindVerticesOfFlatDelaunayRefinementTetrahedra(*m_Complex, m_Threads);
   if (vertices.empty())
   {
     return false;
   }
   ++m_NumberOfShapeRounds;
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   for (const IndexType vertex : vertices)
   {
     this->MoveVertex(vertex);
   }
   return true;
-}
-
-bool
-DelaunayRefinementEngine::Impl::IsFlat(IndexType cell) const
-{
-  const auto   p = m_Complex->GetPoints(cell);
-  const double squaredLongest = Geometry::ComputeSquaredLongestEdge(p[0], p[1], p[2], p[3]);
-  return Geometry::Determinant(p[0], p[1], p[2], p[3]) <
-         6.0 * FlattestShape * squaredLongest * std::sqrt(squaredLongest);
 }
 
 void
@@ -711,29 +663,10 @@ DelaunayRefinementEngine::Impl::MoveVertex(IndexType vertex)
   const VertexKind kind = m_Complex->GetKind(vertex);
   const double     delta = kind == VertexKind::FEATURE ? m_Complex->GetDelta(vertex) : m_LocalDelta.GetMinimum();
   const PointType  old = m_Complex->GetPoint(vertex);
-  const auto       moveAtRandom = [&](const PointType & from, double distance) {
-    PointType to = from;
-    for (double & coordinate : to)
-    {
-      coordinate += distance * (2.0 * static_cast<double>(m_Random() >> 11) * 0x1p-53 - 1.0);
-    }
-    return to;
-  };
-  PointType moved = moveAtRandom(old, ShapeMove * delta);
-  if (kind == VertexKind::FEATURE)
+  PointType        moved;
+  if (!FindDelaunayRefinementPlaceNearby(m_Oracle, kind, old, ShapeMove * delta, m_Random, moved))
   {
-    // Through the surface nearby: the closest point may be known too roughly to differ from the old one.
-    bool isOnSurface = false;
-    for (unsigned int i = 0; i < MostShapeCrossings && !isOnSurface; ++i)
-    {
-      const PointType from = moveAtRandom(old, ShapeMove * delta);
-      const PointType to = moveAtRandom(old, ShapeMove * delta);
-      isOnSurface = m_Oracle.FindFirstCrossing(from, to, moved);
-    }
-    if (!isOnSurface)
-    {
-      return;
-    }
+    return;
   }
   m_Complex->Remove(vertex);
   this->ExamineNewCells();

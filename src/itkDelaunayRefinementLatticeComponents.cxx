@@ -151,9 +151,9 @@ DelaunayRefinementLatticeOracle::ChooseCandidates() const
 std::pair<double, double>
 DelaunayRefinementLatticeOracle::MeasureThickness(const IndexType & voxel, double enough) const
 {
-  const RegionType region = m_HasRegions ? this->GetRegion(voxel[0], voxel[1], voxel[2]) : 1;
+  const RegionType region = this->HasRegions() ? this->GetRegion(voxel[0], voxel[1], voxel[2]) : 1;
   const auto       isInside = [&](const IndexType & v) {
-    return m_Mask->Get(v[0], v[1], v[2]) && (!m_HasRegions || this->GetRegion(v[0], v[1], v[2]) == region);
+    return m_Mask->Get(v[0], v[1], v[2]) && (!this->HasRegions() || this->GetRegion(v[0], v[1], v[2]) == region);
   };
   std::array<double, 3> widths{};
   for (unsigned int axis = 0; axis < 3; ++axis)
@@ -208,7 +208,7 @@ DelaunayRefinementLatticeOracle::ClimbToInscribedRadius(const IndexType & voxel,
   constexpr unsigned int maximumNumberOfSteps = 16;
   constexpr double       smallestGain = 0.05;
   PointType              point = this->ToPhysical(PointType{ voxel[0] + 1.0, voxel[1] + 1.0, voxel[2] + 1.0 });
-  const RegionType       region = m_HasRegions ? this->GetRegion(voxel[0], voxel[1], voxel[2]) : 1;
+  const RegionType       region = this->HasRegions() ? this->GetRegion(voxel[0], voxel[1], voxel[2]) : 1;
   const auto             radiusAt = [&](const PointType & p, double nearEnough, PointType & closest) {
     return this->Classify(p) == region && this->FindClosestSurfacePoint(p, enough, nearEnough, closest)
                          ? Geometry::Distance(p, closest)
@@ -274,7 +274,7 @@ DelaunayRefinementLatticeOracle::EstimateSurfaceArea() const
       {
         const std::uint64_t nextX = row[i] >> 1 | (i + 1 < words ? row[i + 1] << 63 : 0);
         std::uint64_t       changes[3] = { row[i] ^ nextX, row[i] ^ nextY[i], row[i] ^ nextZ[i] };
-        if (m_HasRegions)
+        if (this->HasRegions())
         {
           const std::uint64_t * along = m_Changes->GetRow(0, y, z);
           changes[0] |= row[i] & nextX & (along[i] >> 1 | (i + 1 < words ? along[i + 1] << 63 : 0));

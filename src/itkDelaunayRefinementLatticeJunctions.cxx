@@ -39,7 +39,7 @@ constexpr unsigned int MostRegions = 4;
 /** Whether there are at least as many regions among some. */
 template <std::size_t VSize>
 bool
-HasRegions(const std::array<DelaunayRefinementRegion, VSize> & regions, unsigned int least)
+HaveRegions(const std::array<DelaunayRefinementRegion, VSize> & regions, unsigned int least)
 {
   std::array<DelaunayRefinementRegion, MostRegions> different;
   unsigned int                                      number = 0;
@@ -84,13 +84,13 @@ FindJunction(const TCell & cell, const PointType & corner, double size, unsigned
     return FindSurfacePointInCube(cell, corner, size, { corner[0] + half, corner[1] + half, corner[2] + half }, found);
   }
   const DelaunayRefinementOctantCorners corners(cell, corner, size);
-  if (!HasRegions(corners.Get(), leastRegions))
+  if (!HaveRegions(corners.Get(), leastRegions))
   {
     return false;
   }
   for (unsigned int i = 0; i < 8; ++i)
   {
-    if (HasRegions(corners.Get(i), leastRegions) &&
+    if (HaveRegions(corners.Get(i), leastRegions) &&
         FindJunction(cell, GetOctant(corner, half, i), half, leastRegions, found))
     {
       return true;
@@ -104,7 +104,7 @@ FindJunction(const TCell & cell, const PointType & corner, double size, unsigned
 DelaunayRefinementOracle::SurfacePatches
 DelaunayRefinementLatticeOracle::GetJunctionPatches(unsigned int leastRegions) const
 {
-  if (!m_HasRegions)
+  if (!this->HasRegions())
   {
     return SurfacePatches();
   }
@@ -122,7 +122,7 @@ DelaunayRefinementLatticeOracle::GetJunctionPatches(unsigned int leastRegions) c
         const IndexType cell{ 4 * bricks[i][0] + (bit & 3),
                               4 * bricks[i][1] + (bit >> 2 & 3),
                               4 * bricks[i][2] + (bit >> 4) };
-        if (HasRegions(this->GetCellRegions(cell), leastRegions))
+        if (HaveRegions(this->GetCellRegions(cell), leastRegions))
         {
           found[piece].push_back(cell);
         }

@@ -92,7 +92,6 @@ DelaunayRefinementLatticeOracle::Initialize(ModelEnum                           
   m_Components = std::make_unique<DelaunayRefinementVoxelComponents>(std::move(components));
   m_Cavities = std::make_unique<DelaunayRefinementVoxelCavities>(*m_Components, m_Mask->GetSize());
   m_Changes = std::move(changes);
-  m_HasRegions = m_Changes != nullptr;
   m_Bricks = std::make_unique<DelaunayRefinementBricks>(*m_Mask, m_Changes.get(), m_Threads);
   for (unsigned int corner = 0; corner < 8; ++corner)
   {
@@ -278,7 +277,7 @@ DelaunayRefinementLatticeOracle::Classify(const PointType & point) const
   {
     return brick == BrickEnum::INSIDE ? this->GetUniformRegion(cell) : 0;
   }
-  if (m_HasRegions)
+  if (this->HasRegions())
   {
     if (!m_Bricks->IsActiveCell(cell))
     {
@@ -307,8 +306,9 @@ DelaunayRefinementLatticeOracle::GetCellRegions(const IndexType & cell) const
   {
     if (configuration >> i & 1u)
     {
-      regions[i] =
-        m_HasRegions ? this->GetRegion(cell[0] - 1 + (i & 1), cell[1] - 1 + (i >> 1 & 1), cell[2] - 1 + (i >> 2)) : 1;
+      regions[i] = this->HasRegions()
+                     ? this->GetRegion(cell[0] - 1 + (i & 1), cell[1] - 1 + (i >> 1 & 1), cell[2] - 1 + (i >> 2))
+                     : 1;
     }
   }
   return regions;
@@ -321,14 +321,14 @@ DelaunayRefinementLatticeOracle::GetIndicatorConfiguration(const IndexType & cel
   {
     return 0;
   }
-  return m_HasRegions ? FindDelaunayRefinementPair(this->GetCellRegions(cell)).configuration
-                      : m_Mask->GetConfiguration(cell[0], cell[1], cell[2]);
+  return this->HasRegions() ? FindDelaunayRefinementPair(this->GetCellRegions(cell)).configuration
+                            : m_Mask->GetConfiguration(cell[0], cell[1], cell[2]);
 }
 
 DelaunayRefinementOracle::RegionType
 DelaunayRefinementLatticeOracle::GetUniformRegion(const IndexType & cell) const
 {
-  return m_HasRegions ? this->GetRegion(cell[0] - 1, cell[1] - 1, cell[2] - 1) : 1;
+  return this->HasRegions() ? this->GetRegion(cell[0] - 1, cell[1] - 1, cell[2] - 1) : 1;
 }
 
 bool
@@ -383,7 +383,7 @@ DelaunayRefinementLatticeOracle::FindComponent(const PointType & point) const
   }
   // The nearest voxel of the object, or of the point's region, among those around; rounding may put the point a little
   // off its cell.
-  const RegionType region = m_HasRegions ? this->Classify(point) : 0;
+  const RegionType region = this->HasRegions() ? this->Classify(point) : 0;
   const PointType  lattice = this->ToLattice(point);
   const auto &     size = m_Mask->GetSize();
   for (const std::int32_t reach : { 0, 1, 2 })

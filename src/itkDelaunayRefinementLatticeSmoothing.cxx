@@ -105,7 +105,7 @@ DelaunayRefinementLatticeOracle::TakeSmoothedRegions()
   };
   forEachVoxel(
     [this](const IndexType & voxel, RegionType region) { m_Mask->Set(voxel[0], voxel[1], voxel[2], region != 0); });
-  if (m_HasRegions)
+  if (this->HasRegions())
   {
     forEachVoxel([&](const IndexType & voxel, RegionType region) {
       for (unsigned int axis = 0; axis < 3; ++axis)

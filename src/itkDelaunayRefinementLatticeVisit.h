@@ -129,7 +129,7 @@ DelaunayRefinementLatticeOracle::VisitCell(const IndexType & cell, const TVisito
 {
   if (m_Model == ModelEnum::INDICATOR)
   {
-    if (!m_HasRegions)
+    if (!this->HasRegions())
     {
       return visitor(DelaunayRefinementIndicatorCell::Get(m_Mask->GetConfiguration(cell[0], cell[1], cell[2])).cell);
     }

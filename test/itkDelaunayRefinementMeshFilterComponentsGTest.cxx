@@ -344,17 +344,17 @@ TEST(DelaunayRefinementMeshFilterComponents, CavitiesAreFoundOrNamed)
       voxels.push_back({ x, y, z });
     }
   }
-  for (const double delta : { 1.0, 2.0, 3.0, 5.0 })
+  for (const double delta : { 0.5, 2.0, 3.0 })
   {
     SCOPED_TRACE(delta);
     const auto filter = MakeFilter(MakeVoxels(size, voxels).GetPointer(), delta);
     filter->Update();
     ASSERT_EQ(filter->GetCavities().size(), 3u);
     const auto &      missing = filter->GetStatistics().missingCavities;
-    const auto        found = static_cast<int>(3 - missing.size());
+    const std::size_t found = 3 - missing.size();
     const CheckedMesh mesh = GetMesh(filter.GetPointer());
     ExpectGuarantees(mesh);
-    ExpectTopology(mesh, { 1, 1 + found, 2 * (1 + found) });
+    ExpectTopology(mesh, { 1, 1 + found, 2 * static_cast<int>(1 + found) });
     std::string warnings;
     for (const std::string & warning : filter->GetWarnings())
     {
@@ -371,7 +371,7 @@ TEST(DelaunayRefinementMeshFilterComponents, CavitiesAreFoundOrNamed)
     {
       ExpectError(filter.GetPointer(), { "Strict", "cavit" });
     }
-    EXPECT_EQ(missing.size() < 3, delta < 5.0);
+    EXPECT_LT(missing.size(), 3u);
     EXPECT_EQ(missing.empty(), delta < 2.0);
   }
 }
