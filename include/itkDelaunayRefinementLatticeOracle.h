@@ -170,9 +170,9 @@ public:
   std::vector<DelaunayRefinementComponent>
   ComputeComponents(double enough) const;
 
-  /** Describes the cavities of the mask, as it was before it was smoothed. */
+  /** Finds the cavities of the object, as it was before it was smoothed, and describes them. There are none before. */
   std::vector<DelaunayRefinementCavity>
-  DescribeCavities() const;
+  FindCavities();
 
   /** Area of the surface (mm^2), estimated from the faces of the mask's voxels. */
   double

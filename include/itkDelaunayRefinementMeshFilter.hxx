@@ -217,7 +217,7 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::GenerateData()
     }
     m_Components = oracle.ComputeComponents(largestDelta);
     const std::vector<std::uint32_t> kept = this->LeaveOutNegligibleComponents(oracle);
-    m_Cavities = oracle.DescribeCavities();
+    m_Cavities = oracle.FindCavities();
     const DelaunayRefinementParameters parameters = this->MakeParameters(oracle, kept);
     this->VerifyPrecision(oracle, parameters);
     this->VerifyMemory(oracle, kept, parameters);

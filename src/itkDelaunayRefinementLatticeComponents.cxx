@@ -94,8 +94,12 @@ DelaunayRefinementLatticeOracle::ComputeComponents(double enough) const
 }
 
 std::vector<DelaunayRefinementCavity>
-DelaunayRefinementLatticeOracle::DescribeCavities() const
+DelaunayRefinementLatticeOracle::FindCavities()
 {
+  if (m_Smoothed == nullptr)
+  {
+    m_Cavities = std::make_unique<DelaunayRefinementVoxelCavities>(*m_Components, m_Mask->GetSize());
+  }
   std::vector<DelaunayRefinementCavity> cavities;
   for (const auto & cavity : m_Cavities->Get())
   {

@@ -90,7 +90,6 @@ DelaunayRefinementLatticeOracle::Initialize(ModelEnum                           
   m_LeastStretch = std::max(0.0, ComputeLeastEigenvalue(cosine(0, 1), cosine(0, 2), cosine(1, 2)) - noShear);
   m_Mask = std::make_unique<DelaunayRefinementVoxelMask>(std::move(mask));
   m_Components = std::make_unique<DelaunayRefinementVoxelComponents>(std::move(components));
-  m_Cavities = std::make_unique<DelaunayRefinementVoxelCavities>(*m_Components, m_Mask->GetSize());
   m_Changes = std::move(changes);
   m_Bricks = std::make_unique<DelaunayRefinementBricks>(*m_Mask, m_Changes.get(), m_Threads);
   for (unsigned int corner = 0; corner < 8; ++corner)
@@ -120,10 +119,6 @@ DelaunayRefinementLatticeOracle::RemoveComponents(const std::vector<bool> & isRe
     }
   }
   m_Components->Remove(isRemoved, *m_Mask);
-  if (m_Smoothed == nullptr)
-  {
-    m_Cavities = std::make_unique<DelaunayRefinementVoxelCavities>(*m_Components, m_Mask->GetSize());
-  }
   m_Bricks->Update(*m_Mask, m_Changes.get(), boxes);
 }
 
@@ -518,7 +513,7 @@ DelaunayRefinementLatticeOracle::GetComponentBounds(ComponentType component) con
 std::uint32_t
 DelaunayRefinementLatticeOracle::GetNumberOfCavities() const
 {
-  return static_cast<std::uint32_t>(m_Cavities->Get().size());
+  return m_Cavities == nullptr ? 0 : static_cast<std::uint32_t>(m_Cavities->Get().size());
 }
 
 std::uint32_t

@@ -60,6 +60,7 @@ DelaunayRefinementLatticeOracle::Smooth(double width)
   {
     widths.push_back(lower(width, LargestShareOfRadius * component.inscribedRadius));
   }
+  this->FindCavities();
   m_Smoothed = std::make_unique<DelaunayRefinementSmoothedRegions>(*m_Mask, *m_Components, *m_Bricks, spacing);
   for (bool isDone = false; !isDone;)
   {

@@ -26,54 +26,26 @@ DelaunayRefinementVoxelCavities::DelaunayRefinementVoxelCavities(const DelaunayR
   : m_Size(size)
 {
   this->FindGaps(components);
-  for (std::int32_t z = 0; z < m_Size[2]; ++z)
+  for (std::size_t row = 1; row < m_FirstGaps.size() - 1; ++row)
   {
-    for (std::int32_t y = 0; y < m_Size[1]; ++y)
+    if (row % m_Size[1] != 0)
     {
-      if (y > 0)
-      {
-        this->JoinRows(components, { 0, y, z }, { 0, y - 1, z });
-      }
-      if (z > 0)
-      {
-        this->JoinRows(components, { 0, y, z }, { 0, y, z - 1 });
-      }
+      this->JoinRows(components, row, row - 1);
+    }
+    if (row >= static_cast<std::size_t>(m_Size[1]))
+    {
+      this->JoinRows(components, row, row - m_Size[1]);
     }
   }
-  // The first gap of a cavity is its root; those of the outside go.
-  for (std::uint32_t i = 1; i < m_Gaps.size(); ++i)
-  {
-    m_Gaps[i].cavity = this->FindRoot(i);
-  }
-  std::size_t                kept = 0;
-  std::vector<std::uint32_t> numbers(m_Gaps.size(), None);
-  for (std::size_t i = 1; i < m_Gaps.size(); ++i)
-  {
-    const GapType gap = m_Gaps[i];
-    if (gap.cavity == 0)
-    {
-      continue;
-    }
-    if (gap.cavity == i)
-    {
-      numbers[i] = static_cast<std::uint32_t>(m_Cavities.size());
-      const auto y = static_cast<std::int32_t>(gap.row % m_Size[1]);
-      const auto z = static_cast<std::int32_t>(gap.row / m_Size[1]);
-      m_Cavities.push_back({ 0, { gap.first, y, z } });
-    }
-    m_Gaps[kept] = { gap.row, gap.first, gap.last, numbers[gap.cavity] };
-    m_Cavities[m_Gaps[kept].cavity].numberOfVoxels += static_cast<std::size_t>(gap.last - gap.first + 1);
-    ++kept;
-  }
-  m_Gaps.resize(kept);
-  m_FirstGaps.clear();
+  this->NumberCavities();
 }
 
 void
 DelaunayRefinementVoxelCavities::FindGaps(const DelaunayRefinementVoxelComponents & components)
 {
   const auto & runs = components.GetRuns();
-  m_Gaps.push_back({ 0, 0, -1, 0 });
+  m_Gaps.push_back({ 0, -1, 0 });
+  m_FirstGaps.reserve(static_cast<std::size_t>(m_Size[1]) * m_Size[2] + 1);
   for (std::int32_t z = 0; z < m_Size[2]; ++z)
   {
     for (std::int32_t y = 0; y < m_Size[1]; ++y)
@@ -87,7 +59,7 @@ DelaunayRefinementVoxelCavities::FindGaps(const DelaunayRefinementVoxelComponent
         if (runs[i].last + 1 < runs[i + 1].first)
         {
           const auto number = static_cast<std::uint32_t>(m_Gaps.size());
-          m_Gaps.push_back({ this->ToRow(y, z), runs[i].last + 1, runs[i + 1].first - 1, isBorder ? 0 : number });
+          m_Gaps.push_back({ runs[i].last + 1, runs[i + 1].first - 1, isBorder ? 0 : number });
         }
       }
     }
@@ -97,35 +69,15 @@ DelaunayRefinementVoxelCavities::FindGaps(const DelaunayRefinementVoxelComponent
 
 void
 DelaunayRefinementVoxelCavities::JoinRows(const DelaunayRefinementVoxelComponents & components,
-                                          const IndexType &                         row,
-                                          const IndexType &                         other)
+                                          std::size_t                               row,
+                                          std::size_t                               other)
 {
-  // The first and the last voxel of a row that the object has.
-  const auto findEnds = [&](const IndexType & place) -> std::pair<std::int32_t, std::int32_t> {
-    const std::size_t begin = components.GetFirstRun(place[1], place[2]);
-    const std::size_t end = components.GetFirstRun(place[1] + 1, place[2]);
-    return begin == end ? std::make_pair(m_Size[0], -1)
-                        : std::make_pair(components.GetRuns()[begin].first, components.GetRuns()[end - 1].last);
-  };
-  const auto joinToOutside = [&](std::uint32_t begin, std::uint32_t end, const IndexType & place) {
-    if (begin < end)
-    {
-      const auto ends = findEnds(place);
-      for (std::uint32_t i = begin; i < end; ++i)
-      {
-        if (m_Gaps[i].first < ends.first || m_Gaps[i].last > ends.second)
-        {
-          this->Join(i, 0);
-        }
-      }
-    }
-  };
-  std::uint32_t       i = m_FirstGaps[this->ToRow(row[1], row[2])];
-  std::uint32_t       j = m_FirstGaps[this->ToRow(other[1], other[2])];
-  const std::uint32_t endI = m_FirstGaps[this->ToRow(row[1], row[2]) + 1];
-  const std::uint32_t endJ = m_FirstGaps[this->ToRow(other[1], other[2]) + 1];
-  joinToOutside(i, endI, other);
-  joinToOutside(j, endJ, row);
+  std::uint32_t       i = m_FirstGaps[row];
+  std::uint32_t       j = m_FirstGaps[other];
+  const std::uint32_t endI = m_FirstGaps[row + 1];
+  const std::uint32_t endJ = m_FirstGaps[other + 1];
+  this->JoinToOutside(components, i, endI, other);
+  this->JoinToOutside(components, j, endJ, row);
   while (i < endI && j < endJ)
   {
     if (m_Gaps[i].first <= m_Gaps[j].last && m_Gaps[j].first <= m_Gaps[i].last)
@@ -136,13 +88,74 @@ DelaunayRefinementVoxelCavities::JoinRows(const DelaunayRefinementVoxelComponent
   }
 }
 
+void
+DelaunayRefinementVoxelCavities::JoinToOutside(const DelaunayRefinementVoxelComponents & components,
+                                               std::uint32_t                             begin,
+                                               std::uint32_t                             end,
+                                               std::size_t                               row)
+{
+  if (begin == end)
+  {
+    return;
+  }
+  const auto *      runs = components.GetRuns().data();
+  const auto        y = static_cast<std::int32_t>(row % m_Size[1]);
+  const auto        z = static_cast<std::int32_t>(row / m_Size[1]);
+  const std::size_t firstRun = components.GetFirstRun(y, z);
+  const std::size_t endOfRuns = components.GetFirstRun(y + 1, z);
+  for (std::uint32_t i = begin; i < end; ++i)
+  {
+    if (firstRun == endOfRuns || m_Gaps[i].first < runs[firstRun].first || m_Gaps[i].last > runs[endOfRuns - 1].last)
+    {
+      this->Join(i, 0);
+    }
+  }
+}
+
+void
+DelaunayRefinementVoxelCavities::NumberCavities()
+{
+  // The first gap of a cavity is its root.
+  for (std::uint32_t i = 1; i < m_Gaps.size(); ++i)
+  {
+    m_Gaps[i].root = this->FindRoot(i);
+  }
+  std::vector<std::uint32_t> numbers(m_Gaps.size(), None);
+  std::uint32_t              kept = 0;
+  std::uint32_t              next = 1;
+  for (std::size_t row = 0; row + 1 < m_FirstGaps.size(); ++row)
+  {
+    m_FirstGaps[row] = kept;
+    for (const std::uint32_t end = m_FirstGaps[row + 1]; next < end; ++next)
+    {
+      const GapType gap = m_Gaps[next];
+      if (gap.root == 0)
+      {
+        continue;
+      }
+      if (gap.root == next)
+      {
+        numbers[next] = static_cast<std::uint32_t>(m_Cavities.size());
+        m_Cavities.push_back(
+          { 0, { gap.first, static_cast<std::int32_t>(row % m_Size[1]), static_cast<std::int32_t>(row / m_Size[1]) } });
+      }
+      m_Gaps[kept] = { gap.first, gap.last, numbers[gap.root] };
+      m_Cavities[m_Gaps[kept].root].numberOfVoxels += static_cast<std::size_t>(gap.last - gap.first + 1);
+      ++kept;
+    }
+  }
+  m_FirstGaps.back() = kept;
+  m_Gaps.resize(kept);
+  m_Gaps.shrink_to_fit();
+}
+
 std::uint32_t
 DelaunayRefinementVoxelCavities::FindRoot(std::uint32_t gap)
 {
-  while (m_Gaps[gap].cavity != gap)
+  while (m_Gaps[gap].root != gap)
   {
-    m_Gaps[gap].cavity = m_Gaps[m_Gaps[gap].cavity].cavity;
-    gap = m_Gaps[gap].cavity;
+    m_Gaps[gap].root = m_Gaps[m_Gaps[gap].root].root;
+    gap = m_Gaps[gap].root;
   }
   return gap;
 }
@@ -152,7 +165,7 @@ DelaunayRefinementVoxelCavities::Join(std::uint32_t a, std::uint32_t b)
 {
   const std::uint32_t rootA = this->FindRoot(a);
   const std::uint32_t rootB = this->FindRoot(b);
-  m_Gaps[std::max(rootA, rootB)].cavity = std::min(rootA, rootB);
+  m_Gaps[std::max(rootA, rootB)].root = std::min(rootA, rootB);
 }
 
 std::uint32_t
@@ -165,10 +178,10 @@ DelaunayRefinementVoxelCavities::Find(const IndexType & voxel) const
       return None;
     }
   }
-  const std::size_t row = this->ToRow(voxel[1], voxel[2]);
-  const auto        gap = std::partition_point(m_Gaps.begin(), m_Gaps.end(), [&](const GapType & g) {
-    return g.row < row || (g.row == row && g.last < voxel[0]);
-  });
-  return gap != m_Gaps.end() && gap->row == row && gap->first <= voxel[0] ? gap->cavity : None;
+  const std::size_t row = static_cast<std::size_t>(voxel[2]) * m_Size[1] + voxel[1];
+  const auto        begin = m_Gaps.begin() + m_FirstGaps[row];
+  const auto        end = m_Gaps.begin() + m_FirstGaps[row + 1];
+  const auto        gap = std::partition_point(begin, end, [&voxel](const GapType & g) { return g.last < voxel[0]; });
+  return gap != end && gap->first <= voxel[0] ? gap->root : None;
 }
 } // end namespace itk

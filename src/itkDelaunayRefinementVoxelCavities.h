@@ -61,18 +61,28 @@ private:
   /** Voxels first to last (included) of one row between two runs of the mask. */
   struct GapType
   {
-    std::size_t   row;
     std::int32_t  first;
     std::int32_t  last;
-    std::uint32_t cavity; // while gaps are joined, one before it that it is joined to, or its own number
+    std::uint32_t root; // one before it that it is joined to, or its own number; in the end its cavity
   };
 
   void
   FindGaps(const DelaunayRefinementVoxelComponents & components);
 
-  /** Joins the gaps of two rows that share faces, and those that what is beyond the other row's runs reaches. */
+  /** Joins the gaps of two rows that share faces. */
   void
-  JoinRows(const DelaunayRefinementVoxelComponents & components, const IndexType & row, const IndexType & other);
+  JoinRows(const DelaunayRefinementVoxelComponents & components, std::size_t row, std::size_t other);
+
+  /** Joins gaps to the outside that share faces with what is beyond the runs of a row. */
+  void
+  JoinToOutside(const DelaunayRefinementVoxelComponents & components,
+                std::uint32_t                             begin,
+                std::uint32_t                             end,
+                std::size_t                               row);
+
+  /** Cavities are what is left of the gaps, without those of the outside. */
+  void
+  NumberCavities();
 
   std::uint32_t
   FindRoot(std::uint32_t gap);
@@ -80,15 +90,9 @@ private:
   void
   Join(std::uint32_t a, std::uint32_t b);
 
-  std::size_t
-  ToRow(std::int32_t y, std::int32_t z) const
-  {
-    return static_cast<std::size_t>(z) * m_Size[1] + y;
-  }
-
   DelaunayRefinementVoxelMask::SizeType m_Size;
-  std::vector<GapType>                  m_Gaps{}; // the first one stands for all that no run surrounds
-  std::vector<std::uint32_t>            m_FirstGaps{};
+  std::vector<GapType>                  m_Gaps{};      // the first one stands for all that no run surrounds
+  std::vector<std::uint32_t>            m_FirstGaps{}; // of each row, and the end
   std::vector<CavityType>               m_Cavities{};
 };
 } // end namespace itk
