@@ -105,10 +105,12 @@ TEST(DelaunayRefinementSurfaceSample, OnlyTheCallingThreadIsAskedWhetherToGoOn)
     DelaunayRefinementSurfaceSample sample(shell, localDelta, false);
     std::vector<PointType>          points;
     unsigned int                    numberOfCalls = 0;
-    EXPECT_FALSE(sample.Certify(points, threads, [&, caller = std::this_thread::get_id()] {
+    const bool                      isDone = sample.Certify(points, threads, [&, caller = std::this_thread::get_id()] {
       EXPECT_EQ(std::this_thread::get_id(), caller);
       return ++numberOfCalls < lastCall;
-    }));
-    EXPECT_EQ(numberOfCalls, lastCall);
+    });
+    // The other threads may have left the calling one too little work to ask as often.
+    EXPECT_EQ(isDone, numberOfCalls < lastCall);
+    EXPECT_LE(numberOfCalls, lastCall);
   }
 }
