@@ -236,6 +236,12 @@ protected:
   virtual RegionType
   GetVoxelRegion(std::int32_t x, std::int32_t y, std::int32_t z) const;
 
+  /** The same for those of 2 x 2 x 2 voxels, x fastest, whose bits are set. Default: by GetVoxelRegion(). */
+  virtual void
+  GetVoxelRegions(const std::array<std::int32_t, 3> & first,
+                  unsigned int                        voxels,
+                  std::array<RegionType, 8> &         regions) const;
+
   /** FIELD: whether a point is inside, given in voxels from the first voxel's center. May be called on several threads
    * at once. */
   virtual bool

@@ -44,10 +44,18 @@ public:
   void
   SetRow(std::int32_t y, std::int32_t z, const TVoxel * row, std::size_t rowStride, std::size_t sliceStride)
   {
-    m_Masks[0].SetRow(y, z, [row](std::int32_t x) { return x > 0 && row[x] != row[x - 1]; });
     const auto compare = [row](std::size_t stride) {
       return [row, before = row - stride](std::int32_t x) { return row[x] != before[x]; };
     };
+    if (y == 0 && z == 0)
+    {
+      m_Masks[0].SetRow(y, z, [row](std::int32_t x) { return x > 0 && row[x] != row[x - 1]; });
+    }
+    else
+    {
+      // The first voxel, with none before it, is compared with the last of another row.
+      m_Masks[0].SetRow(y, z, compare(1));
+    }
     if (y > 0)
     {
       m_Masks[1].SetRow(y, z, compare(rowStride));

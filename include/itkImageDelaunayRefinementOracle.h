@@ -125,6 +125,10 @@ protected:
 
   bool
   IsInsideField(const PointType & position) const override;
+  void
+  GetVoxelRegions(const std::array<std::int32_t, 3> & first,
+                  unsigned int                        voxels,
+                  std::array<RegionType, 8> &         regions) const override;
 
 private:
   static FrameType

@@ -25,6 +25,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace itk
 {
@@ -101,7 +102,11 @@ ImageDelaunayRefinementOracle<TImage>::InitializeAs(ModelEnum                   
   }
   auto changes = std::make_unique<DelaunayRefinementRegionChanges>(mask.GetSize());
   ForEachRow(mask, threads, [&](std::int32_t y, std::int32_t z) {
-    changes->SetRow(y, z, m_Buffer + y * m_Strides[1] + z * m_Strides[2], m_Strides[1], m_Strides[2]);
+    const std::uint64_t * const words = std::as_const(mask).GetRow(y + 1, z + 1);
+    if (std::any_of(words, words + mask.GetWordsPerRow(), [](std::uint64_t word) { return word != 0; }))
+    {
+      changes->SetRow(y, z, m_Buffer + y * m_Strides[1] + z * m_Strides[2], m_Strides[1], m_Strides[2]);
+    }
   });
   DelaunayRefinementVoxelComponents components(
     mask,
@@ -285,6 +290,22 @@ ImageDelaunayRefinementOracle<TImage>::GetVoxelRegion(std::int32_t x, std::int32
   -> RegionType
 {
   return m_Regions.Find(m_Buffer[x + y * m_Strides[1] + z * m_Strides[2]]);
+}
+
+template <typename TImage>
+void
+ImageDelaunayRefinementOracle<TImage>::GetVoxelRegions(const std::array<std::int32_t, 3> & first,
+                                                       unsigned int                        voxels,
+                                                       std::array<RegionType, 8> &         regions) const
+{
+  for (std::int32_t i = 0; i < 8; ++i)
+  {
+    if (voxels >> i & 1u)
+    {
+      regions[i] =
+        ImageDelaunayRefinementOracle::GetVoxelRegion(first[0] + (i & 1), first[1] + (i >> 1 & 1), first[2] + (i >> 2));
+    }
+  }
 }
 
 template <typename TImage>

@@ -134,6 +134,20 @@ DelaunayRefinementLatticeOracle::GetVoxelRegion(std::int32_t, std::int32_t, std:
   return 1;
 }
 
+void
+DelaunayRefinementLatticeOracle::GetVoxelRegions(const IndexType &           first,
+                                                 unsigned int                voxels,
+                                                 std::array<RegionType, 8> & regions) const
+{
+  for (std::int32_t i = 0; i < 8; ++i)
+  {
+    if (voxels >> i & 1u)
+    {
+      regions[i] = this->GetVoxelRegion(first[0] + (i & 1), first[1] + (i >> 1 & 1), first[2] + (i >> 2));
+    }
+  }
+}
+
 bool
 DelaunayRefinementLatticeOracle::IsInsideField(const PointType &) const
 {
@@ -297,6 +311,11 @@ DelaunayRefinementLatticeOracle::GetCellRegions(const IndexType & cell) const
 {
   const unsigned int        configuration = m_Mask->GetConfiguration(cell[0], cell[1], cell[2]);
   std::array<RegionType, 8> regions{};
+  if (this->HasRegions() && m_Smoothed == nullptr)
+  {
+    this->GetVoxelRegions({ cell[0] - 1, cell[1] - 1, cell[2] - 1 }, configuration, regions);
+    return regions;
+  }
   for (std::int32_t i = 0; i < 8; ++i)
   {
     if (configuration >> i & 1u)
