@@ -45,13 +45,21 @@ HaveRegions(const std::array<DelaunayRefinementRegion, VSize> & regions, unsigne
   unsigned int                                      number = 0;
   for (const DelaunayRefinementRegion region : regions)
   {
-    const auto end = different.begin() + number;
-    if (number < least && std::find(different.begin(), end, region) == end)
+    bool isNew = true;
+    for (unsigned int i = 0; i < number; ++i)
+    {
+      isNew = isNew && different[i] != region;
+    }
+    if (isNew)
     {
       different[number++] = region;
+      if (number == least)
+      {
+        return true;
+      }
     }
   }
-  return number >= least;
+  return false;
 }
 
 /** No less than the number of regions that have points in a cube, outside counted. */
