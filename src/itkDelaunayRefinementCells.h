@@ -67,7 +67,11 @@ HasDifferentCorners(const TCell & cell, const DelaunayRefinementPoint & corner, 
   return false;
 }
 
-/** The regions of the corners of a cube's octants. */
+/** \class DelaunayRefinementOctantCorners
+ * \brief The regions of the corners of a cube's octants.
+ *
+ * \ingroup DelaunayRefinement
+ */
 class DelaunayRefinementOctantCorners
 {
 public:
