@@ -125,7 +125,8 @@ AddRemainingOptions(CLI::App & app, Options & options)
            ParseCount,
            "leave smaller components out; default 1: none")
     ->group(keep);
-  app.add_flag("--strict", options.strict, "fail if a label, a component or a cavity is missing in the mesh")->group(keep);
+  app.add_flag("--strict", options.strict, "fail if a label, a component or a cavity is missing in the mesh")
+    ->group(keep);
 
   AddValue(app,
            "--smoothing",
