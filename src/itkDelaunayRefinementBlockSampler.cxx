@@ -108,7 +108,10 @@ DelaunayRefinementBlockSampler::GetLeastDelta(const WordType & word, std::uint64
   double least = word.delta;
   if (!word.isUniform)
   {
-    m_Wholes.Clear(m_Center);
+    PointType center;
+    PointType halfExtents;
+    m_Words->GetBox(word, cells, center, halfExtents);
+    m_Wholes.Clear(center);
     m_Oracle.AppendCells(m_Words->GetCells(word, cells), m_Wholes);
     for (std::size_t i = 0; i < m_Wholes.GetSize(); ++i)
     {
@@ -212,6 +215,10 @@ DelaunayRefinementBlockSampler::Leave() const
 std::vector<DelaunayRefinementBlockSampler::PointType>
 DelaunayRefinementBlockSampler::Sample(std::size_t number)
 {
+  if (m_Cover.GetBlock(number).words.GetSize() == 0)
+  {
+    return {};
+  }
   this->Enter(number);
   std::mt19937_64 random(m_Words->GetSize());
   this->MakeRandomOrder(m_Words->GetSize(), random);
@@ -246,6 +253,10 @@ DelaunayRefinementBlockSampler::Sample(std::size_t number)
 std::vector<DelaunayRefinementBlockSampler::PointType>
 DelaunayRefinementBlockSampler::Cover(std::size_t number)
 {
+  if (m_Cover.GetBlock(number).words.GetSize() == 0)
+  {
+    return {};
+  }
   this->Enter(number);
   bool mayGoOn = true;
   for (std::size_t i = 0; i < m_Words->GetSize() && mayGoOn; ++i)

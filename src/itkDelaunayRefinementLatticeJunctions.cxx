@@ -33,6 +33,9 @@ constexpr double SmallestCube = 1.0 / 64.0;
 /** As many meet in a line. */
 constexpr unsigned int LeastRegions = 3;
 
+/** Cells of masks, and those that two regions share. */
+constexpr unsigned int MostRegionsOfOthers = 2;
+
 /** More are not asked for. */
 constexpr unsigned int MostRegions = 4;
 
@@ -62,6 +65,20 @@ HaveRegions(const std::array<DelaunayRefinementRegion, VSize> & regions, unsigne
   return false;
 }
 
+/** The regions of a cube's corners, x fastest. */
+template <typename TCell>
+std::array<DelaunayRefinementRegion, 8>
+GetCorners(const TCell & cell, const PointType & corner, double size)
+{
+  std::array<DelaunayRefinementRegion, 8> regions;
+  for (unsigned int i = 0; i < 8; ++i)
+  {
+    regions[i] =
+      cell.Classify({ corner[0] + (i & 1u) * size, corner[1] + (i >> 1 & 1u) * size, corner[2] + (i >> 2) * size });
+  }
+  return regions;
+}
+
 /** No less than the number of regions that have points in a cube, outside counted. */
 template <typename TCell>
 unsigned int
@@ -71,7 +88,17 @@ CountRegionsInCube(const TCell & cell, const PointType & corner, double size)
   {
     return cell.CountRegions(corner, size);
   }
-  return MostRegions;
+  if constexpr (std::is_same_v<TCell, DelaunayRefinementNearestCell>)
+  {
+    // Between the corners' own eighths there is nothing else.
+    unsigned int number = 1;
+    while (number < MostRegions && HaveRegions(GetCorners(cell, corner, size), number + 1))
+    {
+      ++number;
+    }
+    return number;
+  }
+  return MostRegionsOfOthers;
 }
 
 /** The corner of an octant. */

@@ -46,6 +46,13 @@ ComputeLeastEigenvalue(double xy, double xz, double yz)
   const double third = 2.0943951023931953;
   return 1.0 + 2.0 * scale * std::cos(std::acos(cosine) / 3.0 + third);
 }
+
+/** By so many cells the surface of a component may be outside those of its voxels: a field's may be anywhere near. */
+std::int32_t
+GetMargin(DelaunayRefinementLatticeOracle::ModelEnum model)
+{
+  return model == DelaunayRefinementLatticeOracle::ModelEnum::FIELD ? 1 : 0;
+}
 } // namespace
 
 DelaunayRefinementLatticeOracle::DelaunayRefinementLatticeOracle() = default;
@@ -467,10 +474,11 @@ DelaunayRefinementLatticeOracle::FindLeastInPatch(const SurfacePatches::PatchTyp
     first[i] *= edge;
     last[i] = first[i] + edge - 1;
   }
-  RangeType range = this->FindRangeInCells(first, last, patch.center, values);
-  if (range.least < range.greatest)
+  const RangeType all = this->FindRangeInCells(first, last, patch.center, values);
+  RangeType       range = all;
+  if (all.least < all.greatest)
   {
-    range = { range.greatest, range.least };
+    range = { all.greatest, all.least };
     for (std::int32_t z = first[2]; z <= last[2]; ++z)
     {
       for (std::int32_t y = first[1]; y <= last[1]; ++y)
@@ -487,7 +495,7 @@ DelaunayRefinementLatticeOracle::FindLeastInPatch(const SurfacePatches::PatchTyp
       }
     }
   }
-  return range;
+  return range.least <= range.greatest ? range : all;
 }
 
 DelaunayRefinementOracle::RangeType
@@ -496,8 +504,7 @@ DelaunayRefinementLatticeOracle::FindRangeInCells(IndexType                   fi
                                                   const PointType &           point,
                                                   const std::vector<double> & values) const
 {
-  // A field's surface may leave the cells of its voxels.
-  const std::int32_t margin = m_Model == ModelEnum::FIELD ? 1 : 0;
+  const std::int32_t margin = GetMargin(m_Model);
   for (unsigned int i = 0; i < 3; ++i)
   {
     first[i] -= 1 + margin;
@@ -519,12 +526,13 @@ DelaunayRefinementLatticeOracle::FindRangeInCells(IndexType                   fi
 DelaunayRefinementOracle::BoundsType
 DelaunayRefinementLatticeOracle::GetComponentBounds(ComponentType component) const
 {
-  const auto & info = m_Components->GetComponents()[component];
-  BoundsType   lattice;
+  const auto &       info = m_Components->GetComponents()[component];
+  const std::int32_t margin = GetMargin(m_Model);
+  BoundsType         lattice;
   for (unsigned int i = 0; i < 3; ++i)
   {
-    lattice.minimum[i] = info.minimum[i];
-    lattice.maximum[i] = info.maximum[i] + 2;
+    lattice.minimum[i] = info.minimum[i] - margin;
+    lattice.maximum[i] = info.maximum[i] + 2 + margin;
   }
   return this->ToPhysical(lattice);
 }

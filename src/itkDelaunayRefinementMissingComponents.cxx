@@ -161,7 +161,7 @@ FindMissingDelaunayRefinementCavities(const DelaunayRefinementOracle &  oracle,
   const auto                     visitPiece = [&](std::size_t, std::size_t begin, std::size_t end) {
     for (auto cell = static_cast<IndexType>(begin); cell < end && !isFound.empty(); ++cell)
     {
-      if (triangulation.IsAlive(cell) && complex.GetRegion(cell) == 0)
+      if (triangulation.IsAlive(cell) && !triangulation.IsInfinite(cell) && complex.GetRegion(cell) == 0)
       {
         const std::uint32_t cavity = oracle.FindCavity(complex.GetCircumcenter(cell));
         if (cavity < isFound.size())

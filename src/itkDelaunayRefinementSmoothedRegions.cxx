@@ -448,8 +448,9 @@ std::vector<std::ptrdiff_t>
 DelaunayRefinementSmoothedRegions::CountGains(DelaunayRefinementThreads * threads) const
 {
   using Threads = DelaunayRefinementThreads;
-  constexpr std::size_t                    leastLength = 256;
+  // Each piece has its own list of components, which is to be shorter than its voxels.
   const std::size_t                        numberOfComponents = m_Components.GetComponents().size();
+  const std::size_t                        leastLength = 256 + 4 * numberOfComponents / BlockVolume;
   const std::size_t                        length = Threads::ChoosePieceLength(threads, m_Blocks.size(), leastLength);
   std::vector<std::vector<std::ptrdiff_t>> gains(Threads::CountPieces(m_Blocks.size(), length) + 1);
   gains.front().assign(numberOfComponents, 0);

@@ -375,3 +375,16 @@ TEST(DelaunayRefinementMeshFilterComponents, CavitiesAreFoundOrNamed)
     EXPECT_EQ(missing.empty(), delta < 2.0);
   }
 }
+
+TEST(DelaunayRefinementMeshFilterComponents, ACavityAtTheOriginIsNamedAsAnyOther)
+{
+  const auto image =
+    MakeImage<unsigned char>(MakeCubeGeometry(33), [](const PointType & point) { return Norm(point) < 12.0 ? 1 : 0; });
+  image->SetPixel({ { 16, 16, 16 } }, 0);
+  const auto filter = MakeFilter(image.GetPointer(), 6.0);
+  filter->Update();
+  ASSERT_EQ(filter->GetCavities().size(), 1u);
+  EXPECT_EQ(Norm(filter->GetCavities()[0].firstVoxel), 0.0);
+  ExpectTopology(GetMesh(filter.GetPointer()), { 1, 1, 2 });
+  EXPECT_EQ(filter->GetStatistics().missingCavities.size(), 1u);
+}
