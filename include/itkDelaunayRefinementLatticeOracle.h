@@ -119,8 +119,8 @@ public:
   bool
   FindPointOfPatch(const SurfacePatchIdentifier & patch, PointType & point) const override;
 
-  SurfacePatches
-  GetJunctionPatches(unsigned int leastRegions) const override;
+  JunctionPatchesType
+  GetJunctionPatches() const override;
 
   void
   SplitJunctionPatch(const SurfacePatchIdentifier & patch,
@@ -241,6 +241,11 @@ protected:
   GetVoxelRegions(const std::array<std::int32_t, 3> & first,
                   unsigned int                        voxels,
                   std::array<RegionType, 8> &         regions) const;
+
+  /** Whether there may be more than two regions, outside counted, among 5 x 5 x 5 voxels of which some may be outside
+   * of the image. May be called on several threads at once. Default: yes. */
+  virtual bool
+  MayHaveJunctions(const std::array<std::int32_t, 3> & first) const;
 
   /** FIELD: whether a point is inside, given in voxels from the first voxel's center. May be called on several threads
    * at once. */

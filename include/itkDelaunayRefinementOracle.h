@@ -125,12 +125,20 @@ public:
   virtual bool
   FindPointOfPatch(const SurfacePatchIdentifier & patch, PointType & point) const = 0;
 
-  /** Patches that together cover where at least as many regions meet, outside counted. Three regions meet in lines,
-   * four in points. Default: none. */
-  virtual SurfacePatches
-  GetJunctionPatches(unsigned int leastRegions) const;
+  /** Patches that together cover where regions meet, outside counted. */
+  struct JunctionPatchesType
+  {
+    /** Where at least three meet: lines. */
+    SurfacePatches lines;
+    /** Where at least four meet: points at which lines end. */
+    SurfacePatches ends;
+  };
 
-  /** Appends patches that together cover where at least as many regions meet in one of the patches for these, within
+  /** Where regions meet. Default: nowhere. */
+  virtual JunctionPatchesType
+  GetJunctionPatches() const;
+
+  /** Appends patches that together cover where at least as many regions (3 or 4) meet in a patch for so many, within
    * its box, each at most about half as large. Default: none. */
   virtual void
   SplitJunctionPatch(const SurfacePatchIdentifier & patch, unsigned int leastRegions, SurfacePatches & parts) const;

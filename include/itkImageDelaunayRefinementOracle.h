@@ -125,10 +125,14 @@ protected:
 
   bool
   IsInsideField(const PointType & position) const override;
+
   void
   GetVoxelRegions(const std::array<std::int32_t, 3> & first,
                   unsigned int                        voxels,
                   std::array<RegionType, 8> &         regions) const override;
+
+  bool
+  MayHaveJunctions(const std::array<std::int32_t, 3> & first) const override;
 
 private:
   static FrameType
@@ -166,9 +170,11 @@ private:
   ForEachRow(const DelaunayRefinementVoxelMask & mask, DelaunayRefinementThreads * threads, const TAction & action);
 
   const PixelType *                       m_Buffer;
+  std::array<std::int32_t, 3>             m_Size{};
   std::array<std::size_t, 3>              m_Strides{};
   DelaunayRefinementLabelTable<PixelType> m_Regions;
   double                                  m_Level;
+  bool                                    m_IsSelective{ false };
   typename InterpolatorType::Pointer      m_Interpolator{};
   typename ImageType::Pointer             m_Indicator{};
   typename ImageType::IndexType           m_Start{};

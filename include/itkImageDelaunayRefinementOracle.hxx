@@ -40,9 +40,11 @@ ImageDelaunayRefinementOracle<TImage>::ImageDelaunayRefinementOracle(const Image
   , m_Start(image->GetBufferedRegion().GetIndex())
 {
   const auto & size = image->GetBufferedRegion().GetSize();
+  m_Size = { static_cast<std::int32_t>(size[0]),
+             static_cast<std::int32_t>(size[1]),
+             static_cast<std::int32_t>(size[2]) };
   m_Strides = { 1, size[0], size[0] * size[1] };
-  DelaunayRefinementVoxelMask mask(
-    { static_cast<std::int32_t>(size[0]), static_cast<std::int32_t>(size[1]), static_cast<std::int32_t>(size[2]) });
+  DelaunayRefinementVoxelMask mask(m_Size);
 
   const std::string interpolatorName =
     interpolator == nullptr ? "LinearInterpolateImageFunction" : interpolator->GetNameOfClass();
@@ -83,18 +85,18 @@ ImageDelaunayRefinementOracle<TImage>::InitializeAs(ModelEnum                   
                                                     DelaunayRefinementVoxelMask mask,
                                                     DelaunayRefinementThreads * threads)
 {
-  const bool isSelective = object.largestComponentOnly || object.minimumComponentSize > 1;
+  m_IsSelective = object.largestComponentOnly || object.minimumComponentSize > 1;
   if (object.regionLabels.size() < 2)
   {
     DelaunayRefinementVoxelComponents components(mask, threads);
-    if (isSelective)
+    if (m_IsSelective)
     {
       RemoveComponents(object, components, mask);
     }
     this->Initialize(model, ComputeFrame(image), std::move(mask), std::move(components), threads);
     return;
   }
-  if (isSelective)
+  if (m_IsSelective)
   {
     // Of the object as a whole.
     DelaunayRefinementVoxelComponents components(mask, threads);
@@ -306,6 +308,55 @@ ImageDelaunayRefinementOracle<TImage>::GetVoxelRegions(const std::array<std::int
         ImageDelaunayRefinementOracle::GetVoxelRegion(first[0] + (i & 1), first[1] + (i >> 1 & 1), first[2] + (i >> 2));
     }
   }
+}
+
+template <typename TImage>
+bool
+ImageDelaunayRefinementOracle<TImage>::MayHaveJunctions(const std::array<std::int32_t, 3> & first) const
+{
+  // Some more voxels of each row make it as long as processors like.
+  constexpr std::array<std::int32_t, 3> lengths{ 8, 5, 5 };
+  bool                                  isInImage = true;
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    isInImage = isInImage && first[i] >= 0 && first[i] + lengths[i] <= m_Size[i];
+  }
+  if (!isInImage || m_IsSelective)
+  {
+    return true;
+  }
+
+  // Two values make no more than two regions: each is the least or the greatest.
+  using RowType = std::array<PixelType, lengths[0]>;
+  RowType rows[lengths[1] * lengths[2]];
+  RowType least;
+  RowType greatest;
+  for (std::int32_t i = 0; i < lengths[1] * lengths[2]; ++i)
+  {
+    const std::int32_t y = first[1] + i % lengths[1];
+    const std::int32_t z = first[2] + i / lengths[1];
+    std::copy_n(m_Buffer + first[0] + y * m_Strides[1] + z * m_Strides[2], lengths[0], rows[i].data());
+    if (i == 0)
+    {
+      least = greatest = rows[0];
+    }
+    for (std::int32_t x = 0; x < lengths[0]; ++x)
+    {
+      least[x] = std::min(least[x], rows[i][x]);
+      greatest[x] = std::max(greatest[x], rows[i][x]);
+    }
+  }
+  const PixelType low = *std::min_element(least.begin(), least.end());
+  const PixelType high = *std::max_element(greatest.begin(), greatest.end());
+  bool            areTwo = true;
+  for (const RowType & row : rows)
+  {
+    for (const PixelType value : row)
+    {
+      areTwo = areTwo & ((value == low) | (value == high));
+    }
+  }
+  return !areTwo;
 }
 
 template <typename TImage>

@@ -75,16 +75,10 @@ HasDifferentCorners(const TCell & cell, const DelaunayRefinementPoint & corner, 
 class DelaunayRefinementOctantCorners
 {
 public:
-  template <typename TCell>
-  DelaunayRefinementOctantCorners(const TCell & cell, const DelaunayRefinementPoint & corner, double size)
-  {
-    const double half = 0.5 * size;
-    for (unsigned int i = 0; i < 27; ++i)
-    {
-      m_Regions[i] =
-        cell.Classify({ corner[0] + i % 3 * half, corner[1] + i / 3 % 3 * half, corner[2] + i / 9 * half });
-    }
-  }
+  /** The regions, x fastest. */
+  explicit DelaunayRefinementOctantCorners(const std::array<DelaunayRefinementRegion, 27> & regions)
+    : m_Regions(regions)
+  {}
 
   /** All of them. */
   const std::array<DelaunayRefinementRegion, 27> &
@@ -105,6 +99,20 @@ public:
 private:
   std::array<DelaunayRefinementRegion, 27> m_Regions;
 };
+
+/** The regions of the corners of the octants of a cube in a cell, one by one. */
+template <typename TCell>
+DelaunayRefinementOctantCorners
+FindOctantCorners(const TCell & cell, const DelaunayRefinementPoint & corner, double size)
+{
+  const double                             half = 0.5 * size;
+  std::array<DelaunayRefinementRegion, 27> regions;
+  for (unsigned int i = 0; i < 27; ++i)
+  {
+    regions[i] = cell.Classify({ corner[0] + i % 3 * half, corner[1] + i / 3 % 3 * half, corner[2] + i / 9 * half });
+  }
+  return DelaunayRefinementOctantCorners(regions);
+}
 
 /** Finds the first change between a point of a cell and another in another region; false if that is in the same. */
 template <typename TCell>

@@ -47,13 +47,14 @@ SampleDelaunayRefinementJunctions(const DelaunayRefinementOracle &     oracle,
 {
   const auto                  bounds = oracle.GetSurfaceBounds();
   DelaunayRefinementPointGrid vertices(bounds.minimum, bounds.maximum, localDelta.GetMaximum());
+  auto                        patches = oracle.GetJunctionPatches();
   PatchesType                 parts(bounds.minimum);
   std::size_t                 numberOfVisits = 0;
 
   // The ends of lines first: gaps there would leave them loose.
   for (const unsigned int leastRegions : { 4u, 3u })
   {
-    PatchesType wholes = oracle.GetJunctionPatches(leastRegions);
+    PatchesType & wholes = leastRegions == 4 ? patches.ends : patches.lines;
     while (wholes.GetSize() > 0)
     {
       parts.Clear(bounds.minimum);

@@ -65,40 +65,31 @@ HaveRegions(const std::array<DelaunayRefinementRegion, VSize> & regions, unsigne
   return false;
 }
 
-/** The regions of a cube's corners, x fastest. */
+/** For each octant of a cube no less than the number of regions that have points there, outside counted. */
 template <typename TCell>
-std::array<DelaunayRefinementRegion, 8>
-GetCorners(const TCell & cell, const PointType & corner, double size)
-{
-  std::array<DelaunayRefinementRegion, 8> regions;
-  for (unsigned int i = 0; i < 8; ++i)
-  {
-    regions[i] =
-      cell.Classify({ corner[0] + (i & 1u) * size, corner[1] + (i >> 1 & 1u) * size, corner[2] + (i >> 2) * size });
-  }
-  return regions;
-}
-
-/** No less than the number of regions that have points in a cube, outside counted. */
-template <typename TCell>
-unsigned int
-CountRegionsInCube(const TCell & cell, const PointType & corner, double size)
+std::array<unsigned int, 8>
+CountRegionsOfOctants(const TCell & cell, const PointType & corner, double size)
 {
   if constexpr (std::is_same_v<TCell, DelaunayRefinementRegionsCell>)
   {
     return cell.CountRegions(corner, size);
   }
+  std::array<unsigned int, 8> numbers;
+  numbers.fill(MostRegionsOfOthers);
   if constexpr (std::is_same_v<TCell, DelaunayRefinementNearestCell>)
   {
     // Between the corners' own eighths there is nothing else.
-    unsigned int number = 1;
-    while (number < MostRegions && HaveRegions(GetCorners(cell, corner, size), number + 1))
+    const DelaunayRefinementOctantCorners corners = FindOctantCorners(cell, corner, size);
+    for (unsigned int i = 0; i < 8; ++i)
     {
-      ++number;
+      numbers[i] = 1;
+      while (numbers[i] < MostRegions && HaveRegions(corners.Get(i), numbers[i] + 1))
+      {
+        ++numbers[i];
+      }
     }
-    return number;
   }
-  return MostRegionsOfOthers;
+  return numbers;
 }
 
 /** The corner of an octant. */
@@ -118,7 +109,7 @@ FindJunction(const TCell & cell, const PointType & corner, double size, unsigned
   {
     return FindSurfacePointInCube(cell, corner, size, { corner[0] + half, corner[1] + half, corner[2] + half }, found);
   }
-  const DelaunayRefinementOctantCorners corners(cell, corner, size);
+  const DelaunayRefinementOctantCorners corners = FindOctantCorners(cell, corner, size);
   if (!HaveRegions(corners.Get(), leastRegions))
   {
     return false;
@@ -136,12 +127,12 @@ FindJunction(const TCell & cell, const PointType & corner, double size, unsigned
 }
 } // namespace
 
-DelaunayRefinementOracle::SurfacePatches
-DelaunayRefinementLatticeOracle::GetJunctionPatches(unsigned int leastRegions) const
+DelaunayRefinementOracle::JunctionPatchesType
+DelaunayRefinementLatticeOracle::GetJunctionPatches() const
 {
   if (!this->HasRegions())
   {
-    return SurfacePatches();
+    return {};
   }
   using Threads = DelaunayRefinementThreads;
   constexpr std::size_t               leastLength = 1024;
@@ -151,27 +142,36 @@ DelaunayRefinementLatticeOracle::GetJunctionPatches(unsigned int leastRegions) c
   Threads::RunPieces(m_Threads, bricks.size(), length, [&](std::size_t piece, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
     {
+      const IndexType first{ 4 * bricks[i][0], 4 * bricks[i][1], 4 * bricks[i][2] };
+      if (m_Smoothed == nullptr && !this->MayHaveJunctions({ first[0] - 1, first[1] - 1, first[2] - 1 }))
+      {
+        continue;
+      }
       for (std::uint64_t cells = m_Bricks->GetCells(bricks[i]); cells != 0; cells &= cells - 1)
       {
         const auto      bit = static_cast<std::int32_t>(FindDelaunayRefinementBit(cells));
-        const IndexType cell{ 4 * bricks[i][0] + (bit & 3),
-                              4 * bricks[i][1] + (bit >> 2 & 3),
-                              4 * bricks[i][2] + (bit >> 4) };
-        if (HaveRegions(this->GetCellRegions(cell), leastRegions))
+        const IndexType cell{ first[0] + (bit & 3), first[1] + (bit >> 2 & 3), first[2] + (bit >> 4) };
+        if (HaveRegions(this->GetCellRegions(cell), LeastRegions))
         {
           found[piece].push_back(cell);
         }
       }
     }
   });
-  SurfacePatches patches(this->GetSurfaceBounds().minimum);
-  const auto     shape = this->MakeShapeOfCubes(~std::uint64_t{ 0 }, 0.25);
+  const PointType     origin = this->GetSurfaceBounds().minimum;
+  JunctionPatchesType patches{ SurfacePatches(origin), SurfacePatches(origin) };
+  const auto          shape = this->MakeShapeOfCubes(~std::uint64_t{ 0 }, 0.25);
   for (const auto & cells : found)
   {
     for (const IndexType & cell : cells)
     {
-      const PointType corner{ double(cell[0]), double(cell[1]), double(cell[2]) };
-      patches.Add(shape, patches.MakeCorner(this->ToPhysical(corner)), { cell, CellLevel });
+      const auto corner =
+        patches.lines.MakeCorner(this->ToPhysical(PointType{ double(cell[0]), double(cell[1]), double(cell[2]) }));
+      patches.lines.Add(shape, corner, { cell, CellLevel });
+      if (HaveRegions(this->GetCellRegions(cell), LeastRegions + 1))
+      {
+        patches.ends.Add(shape, corner, { cell, CellLevel });
+      }
     }
   }
   return patches;
@@ -186,11 +186,12 @@ DelaunayRefinementLatticeOracle::SplitJunctionPatch(const SurfacePatchIdentifier
   const double                  half = 0.5 * place.size;
   const auto shape = this->MakeShape({ 0.5 * half, 0.5 * half, 0.5 * half }, { 0.5 * half, 0.5 * half, 0.5 * half });
   this->VisitCell(place.cell, [&](const auto & content) {
+    const auto numbers = CountRegionsOfOctants(content, place.corner, place.size);
     for (std::int32_t i = 0; i < 8; ++i)
     {
-      const PointType corner = GetOctant(place.corner, half, i);
-      if (CountRegionsInCube(content, corner, half) >= leastRegions)
+      if (numbers[i] >= leastRegions)
       {
+        const PointType corner = GetOctant(place.corner, half, i);
         const PointType lattice{ place.cell[0] + corner[0], place.cell[1] + corner[1], place.cell[2] + corner[2] };
         parts.Add(shape, parts.MakeCorner(this->ToPhysical(lattice)), GetDelaunayRefinementChild(patch, i));
       }

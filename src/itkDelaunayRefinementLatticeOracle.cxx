@@ -156,6 +156,12 @@ DelaunayRefinementLatticeOracle::GetVoxelRegions(const IndexType &           fir
 }
 
 bool
+DelaunayRefinementLatticeOracle::MayHaveJunctions(const std::array<std::int32_t, 3> &) const
+{
+  return true;
+}
+
+bool
 DelaunayRefinementLatticeOracle::IsInsideField(const PointType &) const
 {
   return false;

@@ -78,10 +78,10 @@ DelaunayRefinementOracle::AppendCells(const SurfaceCells & cells, SurfacePatches
   }
 }
 
-DelaunayRefinementOracle::SurfacePatches
-DelaunayRefinementOracle::GetJunctionPatches(unsigned int) const
+DelaunayRefinementOracle::JunctionPatchesType
+DelaunayRefinementOracle::GetJunctionPatches() const
 {
-  return SurfacePatches();
+  return {};
 }
 
 void

@@ -189,7 +189,7 @@ public:
   unsigned int
   FindOctants(const PointType & corner, double size) const
   {
-    const DelaunayRefinementOctantCorners all(*this, corner, size);
+    const DelaunayRefinementOctantCorners all = this->FindOctantCorners(corner, size);
     unsigned int                          octants = 0;
     for (unsigned int i = 0; i < 8; ++i)
     {
@@ -200,41 +200,42 @@ public:
     return octants;
   }
 
-  /** No less than the number of regions that have points in a cube, outside counted. */
-  unsigned int
+  /** The regions of the corners of a cube's octants. */
+  DelaunayRefinementOctantCorners
+  FindOctantCorners(const PointType & corner, double size) const
+  {
+    GridsType grids;
+    this->InterpolateOnGrid(corner, size, grids);
+    GridType largest;
+    largest.fill(-std::numeric_limits<double>::infinity());
+    std::array<DelaunayRefinementRegion, 27> regions{};
+    for (unsigned int j = 0; j < m_Number; ++j)
+    {
+      for (unsigned int i = 0; i < 27; ++i)
+      {
+        regions[i] = grids.weights[j][i] > largest[i] ? m_Weights[j].region : regions[i];
+        largest[i] = std::max(largest[i], grids.weights[j][i]);
+      }
+    }
+    for (unsigned int i = 0; i < 27; ++i)
+    {
+      regions[i] = grids.all[i] < 0.5 ? 0 : regions[i];
+    }
+    return DelaunayRefinementOctantCorners(regions);
+  }
+
+  /** For each octant of a cube no less than the number of regions that have points there, outside counted. */
+  std::array<unsigned int, 8>
   CountRegions(const PointType & corner, double size) const
   {
-    std::array<std::array<double, 8>, MostRegions> weights;
-    bool                                           isAnyInside = false;
-    bool                                           isAnyOutside = false;
-    for (unsigned int i = 0; i < 8; ++i)
+    GridsType grids;
+    this->InterpolateOnGrid(corner, size, grids);
+    std::array<unsigned int, 8> numbers;
+    for (unsigned int octant = 0; octant < 8; ++octant)
     {
-      const auto shares =
-        ComputeShares({ corner[0] + (i & 1u) * size, corner[1] + (i >> 1 & 1u) * size, corner[2] + (i >> 2) * size });
-      const bool isOutside = Interpolate(m_Union, shares) < 0.5;
-      isAnyOutside = isAnyOutside || isOutside;
-      isAnyInside = isAnyInside || !isOutside;
-      for (unsigned int j = 0; j < m_Number; ++j)
-      {
-        weights[j][i] = Interpolate(m_Weights[j].values, shares);
-      }
+      numbers[octant] = this->CountRegions(grids, (octant & 1u) + 3 * (octant >> 1 & 1u) + 9 * (octant >> 2));
     }
-    unsigned int number = isAnyOutside ? 1 : 0;
-    for (unsigned int j = 0; j < m_Number && isAnyInside; ++j)
-    {
-      // Weights' differences have their extremes at corners.
-      bool mayHavePoints = true;
-      for (unsigned int k = 0; k < m_Number && mayHavePoints; ++k)
-      {
-        mayHavePoints = j == k;
-        for (unsigned int i = 0; i < 8; ++i)
-        {
-          mayHavePoints = mayHavePoints || (j < k ? weights[j][i] >= weights[k][i] : weights[j][i] > weights[k][i]);
-        }
-      }
-      number += mayHavePoints ? 1 : 0;
-    }
-    return number;
+    return numbers;
   }
 
   static unsigned int
@@ -317,11 +318,99 @@ private:
 
   static constexpr unsigned int MostRegions = 24;
 
+  /** Values at the corners of a cube's octants, x fastest. */
+  using GridType = std::array<double, 27>;
+
+  struct GridsType
+  {
+    GridType                          all;
+    std::array<GridType, MostRegions> weights;
+  };
+
+  void
+  InterpolateOnGrid(const PointType & corner, double size, GridsType & grids) const
+  {
+    InterpolateOnGrid(m_Union, corner, size, grids.all);
+    for (unsigned int j = 0; j < m_Number; ++j)
+    {
+      InterpolateOnGrid(m_Weights[j].values, corner, size, grids.weights[j]);
+    }
+  }
+
+  /** Axis by axis. */
+  static void
+  InterpolateOnGrid(const std::array<double, 8> & values, const PointType & corner, double size, GridType & grid)
+  {
+    std::array<double, 12> rows;
+    std::array<double, 18> slices;
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      const double share = corner[0] + 0.5 * i * size;
+      for (unsigned int j = 0; j < 4; ++j)
+      {
+        rows[i + 3 * j] = (1.0 - share) * values[2 * j] + share * values[2 * j + 1];
+      }
+    }
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      const double share = corner[1] + 0.5 * i * size;
+      for (unsigned int j = 0; j < 3; ++j)
+      {
+        slices[3 * i + j] = (1.0 - share) * rows[j] + share * rows[3 + j];
+        slices[9 + 3 * i + j] = (1.0 - share) * rows[6 + j] + share * rows[9 + j];
+      }
+    }
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      const double share = corner[2] + 0.5 * i * size;
+      for (unsigned int j = 0; j < 9; ++j)
+      {
+        grid[9 * i + j] = (1.0 - share) * slices[j] + share * slices[9 + j];
+      }
+    }
+  }
+
+  /** Of the octant with its first corner at a place of a grid. */
+  unsigned int
+  CountRegions(const GridsType & grids, unsigned int first) const
+  {
+    const std::array<unsigned int, 8> corners{ first,     first + 1,  first + 3,  first + 4,
+                                               first + 9, first + 10, first + 12, first + 13 };
+    const auto isInside = [&grids](unsigned int i) { return grids.all[i] >= 0.5; };
+    if (std::none_of(corners.begin(), corners.end(), isInside))
+    {
+      return 1;
+    }
+    unsigned int number = std::all_of(corners.begin(), corners.end(), isInside) ? 0 : 1;
+    for (unsigned int j = 0; j < m_Number; ++j)
+    {
+      // Weights' differences have their extremes at corners.
+      bool mayHavePoints = true;
+      for (unsigned int k = 0; k < m_Number && mayHavePoints; ++k)
+      {
+        const GridType & own = grids.weights[j];
+        const GridType & other = grids.weights[k];
+        mayHavePoints = j == k || std::any_of(corners.begin(), corners.end(), [&](unsigned int i) {
+          return j < k ? own[i] >= other[i] : own[i] > other[i];
+        });
+      }
+      number += mayHavePoints ? 1 : 0;
+    }
+    return number;
+  }
+
   // In the order of the regions.
   std::array<WeightsType, MostRegions> m_Weights;
   unsigned int                         m_Number{ 0 };
   std::array<double, 8>                m_Union{};
 };
+
+/** The regions of the corners of the octants of a cube in a cell, all at once. */
+inline DelaunayRefinementOctantCorners
+FindOctantCorners(const DelaunayRefinementRegionsCell & cell, const DelaunayRefinementPoint & corner, double size)
+{
+  return cell.FindOctantCorners(corner, size);
+}
 } // end namespace itk
 
 #endif
