@@ -129,9 +129,9 @@ public:
   struct JunctionPatchesType
   {
     /** Where at least three meet: lines. */
-    SurfacePatches lines;
+    SurfacePatches lines{};
     /** Where at least four meet: points at which lines end. */
-    SurfacePatches ends;
+    SurfacePatches ends{};
   };
 
   /** Where regions meet. Default: nowhere. */

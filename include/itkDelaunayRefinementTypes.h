@@ -67,6 +67,10 @@ struct DelaunayRefinementParameters
    * guarantee needs it (docs/guarantees.md, section 4), and it takes about as long as all the rest. */
   bool refineOutside{ false };
 
+  /** Whether the boundary of each region is to be a 2-manifold: a few tetrahedra are given to another region than that
+   * of their circumcenter, and vertices put where that does not help. */
+  bool manifold{ true };
+
   /** The refinement stops with VERTEX_LIMIT before the triangulation has more vertices. */
   std::uint64_t maximumNumberOfVertices{ std::numeric_limits<std::uint64_t>::max() };
 
@@ -117,6 +121,12 @@ struct DelaunayRefinementStatistics
 
   /** Cavities of the object, by the oracle's number, in which no tetrahedron outside has its circumcenter. */
   std::vector<std::uint32_t> missingCavities{};
+
+  /** Tetrahedra given to another region than that of their circumcenter, for the boundary's sake. */
+  std::size_t changedTetrahedra{ 0 };
+
+  /** Vertices at which the boundary of a region is not a 2-manifold, as far as that was asked for. */
+  std::size_t nonManifoldVertices{ 0 };
 
   /** For each component for which delta was lowered: its number and the delta that was used. */
   std::vector<std::pair<std::uint32_t, double>> loweredDeltas{};

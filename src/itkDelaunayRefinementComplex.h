@@ -155,11 +155,18 @@ public:
     return m_Triangulation.GetSquaredRadius(cell);
   }
 
-  /** Where the circumcenter is; infinite cells are outside. */
+  /** Where the circumcenter is, unless it was set; infinite cells are outside. */
   RegionType
   GetRegion(IndexType cell) const
   {
     return m_Regions[cell];
+  }
+
+  /** Gives a finite cell to a region, for as long as the cell exists. */
+  void
+  SetRegion(IndexType cell, RegionType region)
+  {
+    m_Regions[cell] = region;
   }
 
   VertexKind

@@ -25,8 +25,9 @@
 #include "itkDelaunayRefinementFlatTetrahedra.h"
 #include "itkDelaunayRefinementExtraction.h"
 #include "itkDelaunayRefinementJunctionSample.h"
-#include "itkDelaunayRefinementMissingComponents.h"
 #include "itkDelaunayRefinementLocalDelta.h"
+#include "itkDelaunayRefinementManifoldRepair.h"
+#include "itkDelaunayRefinementMissingComponents.h"
 #include "itkDelaunayRefinementQueue.h"
 #include "itkDelaunayRefinementRules.h"
 #include "itkDelaunayRefinementSurfaceSample.h"
@@ -40,6 +41,7 @@ namespace itk
 {
 namespace
 {
+using Geometry = DelaunayRefinementGeometry;
 using RefinementRule = DelaunayRefinementEnums::RefinementRule;
 using EncroachmentCase = DelaunayRefinementEnums::EncroachmentCase;
 using TerminationReason = DelaunayRefinementEnums::TerminationReason;
@@ -63,6 +65,9 @@ constexpr unsigned int MaximumNumberOfLowerings = 4;
 /** Tetrahedra that are too flat get another vertex, moved by this share of delta. */
 constexpr double       ShapeMove = 1e-3;
 constexpr unsigned int MaximumNumberOfShapeRounds = 20;
+
+/** So often vertices are put where the boundary is no manifold. */
+constexpr unsigned int MaximumNumberOfManifoldRounds = 20;
 } // namespace
 
 /** \class DelaunayRefinementEngine::Impl
@@ -180,6 +185,14 @@ private:
   bool
   LowerDeltaOfMissingComponents();
 
+  /** Makes the regions' boundaries 2-manifolds; true if rules have to be asked again before the next try. */
+  bool
+  MakeManifold();
+
+  /** Puts a vertex on the largest surface ball of the facets at a vertex that part regions. */
+  void
+  InsertNear(IndexType vertex);
+
   /** Tells the caller how far it is; false if he, now or before, wished to stop. */
   bool
   KeepGoing();
@@ -201,6 +214,7 @@ private:
   std::unique_ptr<DelaunayRefinementRules>          m_Rules{};
   std::unique_ptr<DelaunayRefinementEncroachment>   m_Encroachment{};
   std::unique_ptr<DelaunayRefinementCircumcenters>  m_Circumcenters{};
+  std::unique_ptr<DelaunayRefinementManifoldRepair> m_Repair{};
   DelaunayRefinementBlockQueue                      m_R2Queue{};
   DelaunayRefinementQueue                           m_EncroachmentQueue{};
   DelaunayRefinementQueue                           m_R3Queue{};
@@ -214,6 +228,7 @@ private:
   TerminationReason                                 m_Reason{ TerminationReason::COMPLETED };
   unsigned int                                      m_NumberOfLowerings{ 0 };
   unsigned int                                      m_NumberOfShapeRounds{ 0 };
+  unsigned int                                      m_NumberOfManifoldRounds{ 0 };
   std::size_t                                       m_NumberOfSteps{ 0 };
   std::size_t                                       m_NextQuestion{ ProgressInterval };
   double                                            m_Progress{ 0.0 };
@@ -281,6 +296,7 @@ DelaunayRefinementEngine::Impl::RunAllPhases()
   {
     m_Result = ExtractDelaunayRefinementResult(*m_Complex, &m_Threads);
   }
+  m_Repair->Undo();
   m_Statistics.extractionSeconds = SecondsSince(start);
   return m_Reason;
 }
@@ -313,6 +329,7 @@ DelaunayRefinementEngine::Impl::StartComplex(const std::vector<PointType> & seed
   m_Rules = std::make_unique<DelaunayRefinementRules>(m_Oracle, m_Parameters, *m_Complex, m_LocalDelta, *m_Sample);
   m_Encroachment = std::make_unique<DelaunayRefinementEncroachment>(*m_Complex);
   m_Circumcenters = std::make_unique<DelaunayRefinementCircumcenters>(*m_Complex, *m_Rules, m_Threads);
+  m_Repair = std::make_unique<DelaunayRefinementManifoldRepair>(m_Oracle, *m_Rules, *m_Complex, m_Threads);
   if (!m_Complex->Start(seeds, deltas, m_Threads, [this] { return this->KeepGoing(); }))
   {
     // Half a triangulation is none.
@@ -339,7 +356,7 @@ DelaunayRefinementEngine::Impl::Refine()
       }
     }
     if (!(this->ApplyR1() || this->ApplyR3() || this->ApplyEncroachment() || this->ApplyR2() || this->ApplyR4() ||
-          this->MendFlatTetrahedra() || this->LowerDeltaOfMissingComponents()))
+          this->MendFlatTetrahedra() || this->LowerDeltaOfMissingComponents() || this->MakeManifold()))
     {
       return;
     }
@@ -698,6 +715,57 @@ DelaunayRefinementEngine::Impl::LowerDeltaOfMissingComponents()
     }
   }
   return m_IsSampleOpen;
+}
+
+bool
+DelaunayRefinementEngine::Impl::MakeManifold()
+{
+  if (!m_Parameters.manifold)
+  {
+    return false;
+  }
+  const std::vector<IndexType> left = m_Repair->Run();
+  m_Statistics.changedTetrahedra = m_Repair->GetNumberOfChanges();
+  m_Statistics.nonManifoldVertices = left.size();
+  if (left.empty() || m_NumberOfManifoldRounds == MaximumNumberOfManifoldRounds)
+  {
+    return false;
+  }
+  ++m_NumberOfManifoldRounds;
+  m_Repair->Undo();
+  std::for_each(left.begin(), left.end(), [this](IndexType vertex) { this->InsertNear(vertex); });
+  return true;
+}
+
+void
+DelaunayRefinementEngine::Impl::InsertNear(IndexType vertex)
+{
+  DelaunayRefinementVertexStar star;
+  star.Find(*m_Complex, vertex);
+  const PointType own = m_Complex->GetPoint(vertex);
+  PointType       chosen;
+  double          largest = 0.0;
+  for (std::size_t i = 0; i < star.GetCells().size(); ++i)
+  {
+    const auto & cell = star.GetCells()[i];
+    for (const std::uint32_t neighbor : cell.neighbors)
+    {
+      PointType crossing;
+      if (star.GetRegions()[i] > star.GetRegions()[neighbor] &&
+          m_Oracle.FindFirstCrossing(m_Complex->GetCircumcenter(cell.index),
+                                     m_Complex->GetCircumcenter(star.GetCells()[neighbor].index),
+                                     crossing) &&
+          Geometry::SquaredDistance(own, crossing) > largest)
+      {
+        largest = Geometry::SquaredDistance(own, crossing);
+        chosen = crossing;
+      }
+    }
+  }
+  if (largest > 0.0)
+  {
+    this->InsertFeature(RefinementRule::MANIFOLD, chosen, star.GetCells().front().index);
+  }
 }
 
 bool

@@ -61,6 +61,8 @@ operator<<(std::ostream & out, const DelaunayRefinementEnums::RefinementRule val
         return "itk::DelaunayRefinementEnums::RefinementRule::SHAPE";
       case DelaunayRefinementEnums::RefinementRule::JUNCTION:
         return "itk::DelaunayRefinementEnums::RefinementRule::JUNCTION";
+      case DelaunayRefinementEnums::RefinementRule::MANIFOLD:
+        return "itk::DelaunayRefinementEnums::RefinementRule::MANIFOLD";
       default:
         return "INVALID VALUE FOR itk::DelaunayRefinementEnums::RefinementRule";
     }

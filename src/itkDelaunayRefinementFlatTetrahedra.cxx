@@ -38,15 +38,6 @@ constexpr double FlattestShape = 1e-10;
 constexpr unsigned int MostCrossings = 32;
 constexpr std::size_t  CellsPerPiece = 4096;
 
-bool
-IsFlat(const DelaunayRefinementComplex & complex, IndexType cell)
-{
-  const auto   p = complex.GetPoints(cell);
-  const double squaredLongest = Geometry::ComputeSquaredLongestEdge(p[0], p[1], p[2], p[3]);
-  return Geometry::Determinant(p[0], p[1], p[2], p[3]) <
-         6.0 * FlattestShape * squaredLongest * std::sqrt(squaredLongest);
-}
-
 PointType
 MoveAtRandom(const PointType & from, double distance, std::mt19937_64 & random)
 {
@@ -59,6 +50,15 @@ MoveAtRandom(const PointType & from, double distance, std::mt19937_64 & random)
 }
 } // namespace
 
+bool
+IsFlatDelaunayRefinementTetrahedron(const DelaunayRefinementComplex & complex, IndexType cell)
+{
+  const auto   p = complex.GetPoints(cell);
+  const double squaredLongest = Geometry::ComputeSquaredLongestEdge(p[0], p[1], p[2], p[3]);
+  return Geometry::Determinant(p[0], p[1], p[2], p[3]) <
+         6.0 * FlattestShape * squaredLongest * std::sqrt(squaredLongest);
+}
+
 std::vector<IndexType>
 FindVerticesOfFlatDelaunayRefinementTetrahedra(const DelaunayRefinementComplex & complex,
                                                DelaunayRefinementThreads &       threads)
@@ -70,7 +70,7 @@ FindVerticesOfFlatDelaunayRefinementTetrahedra(const DelaunayRefinementComplex &
     for (auto cell = static_cast<IndexType>(begin); cell < end; ++cell)
     {
       if (triangulation.IsAlive(cell) && !triangulation.IsInfinite(cell) && complex.GetRegion(cell) != 0 &&
-          IsFlat(complex, cell))
+          IsFlatDelaunayRefinementTetrahedron(complex, cell))
       {
         const auto & v = triangulation.GetCell(cell).vertices;
         const auto   isFree = [&](IndexType vertex) { return complex.GetKind(vertex) == VertexKind::FREE; };

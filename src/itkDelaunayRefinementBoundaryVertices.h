@@ -1,0 +1,32 @@
+/*=========================================================================
+ *
+ *  Copyright The DelaunayRefinement Contributors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkDelaunayRefinementBoundaryVertices_h
+#define itkDelaunayRefinementBoundaryVertices_h
+
+#include "itkDelaunayRefinementComplex.h"
+
+namespace itk
+{
+/** The vertices, ascending, at which the boundary of some region other than outside is no 2-manifold: its facets there
+ * are not one fan. */
+std::vector<DelaunayRefinementComplex::IndexType>
+FindNonManifoldDelaunayRefinementVertices(const DelaunayRefinementComplex & complex,
+                                          DelaunayRefinementThreads &       threads);
+} // end namespace itk
+
+#endif

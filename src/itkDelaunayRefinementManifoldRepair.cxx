@@ -1,0 +1,308 @@
+/*=========================================================================
+ *
+ *  Copyright The DelaunayRefinement Contributors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkDelaunayRefinementManifoldRepair.h"
+
+#include "itkDelaunayRefinementBoundaryVertices.h"
+#include "itkDelaunayRefinementFlatTetrahedra.h"
+
+#include <algorithm>
+#include <deque>
+
+namespace itk
+{
+namespace
+{
+using Geometry = DelaunayRefinementGeometry;
+
+/** The cosine of an angle a hair above 30 degrees. */
+constexpr double LargestCosine = 0.86602540378443865 * (1.0 - 1e-9);
+
+template <typename TElement>
+bool
+Contains(const std::vector<TElement> & elements, const TElement & element)
+{
+  return std::find(elements.begin(), elements.end(), element) != elements.end();
+}
+} // namespace
+
+DelaunayRefinementManifoldRepair::DelaunayRefinementManifoldRepair(const DelaunayRefinementOracle & oracle,
+                                                                   const DelaunayRefinementRules &  rules,
+                                                                   DelaunayRefinementComplex &      complex,
+                                                                   DelaunayRefinementThreads &      threads)
+  : m_Oracle(oracle)
+  , m_Rules(rules)
+  , m_Complex(complex)
+  , m_Threads(threads)
+{}
+
+std::vector<DelaunayRefinementManifoldRepair::IndexType>
+DelaunayRefinementManifoldRepair::Run()
+{
+  const std::vector<IndexType> found = FindNonManifoldDelaunayRefinementVertices(m_Complex, m_Threads);
+  std::deque<IndexType>        vertices(found.begin(), found.end());
+  std::vector<IndexType>       left;
+  while (!vertices.empty())
+  {
+    const IndexType   vertex = vertices.front();
+    const OutcomeEnum outcome = this->Mend(vertex);
+    vertices.pop_front();
+    if (outcome == OutcomeEnum::LEFT)
+    {
+      left.push_back(vertex);
+    }
+    else if (outcome == OutcomeEnum::MENDED)
+    {
+      // Others may find help now, too.
+      vertices.insert(vertices.end(), m_StillBad.begin(), m_StillBad.end());
+    }
+  }
+  const auto isGood = [this](IndexType vertex) {
+    m_Star.Find(m_Complex, vertex);
+    return m_Star.CountBadPlaces() == 0;
+  };
+  std::sort(left.begin(), left.end());
+  left.erase(std::unique(left.begin(), left.end()), left.end());
+  left.erase(std::remove_if(left.begin(), left.end(), isGood), left.end());
+  return left;
+}
+
+void
+DelaunayRefinementManifoldRepair::Undo()
+{
+  for (const auto & [cell, region] : m_OwnRegions)
+  {
+    m_Complex.SetRegion(cell, region);
+  }
+  m_OwnRegions.clear();
+}
+
+DelaunayRefinementManifoldRepair::OutcomeEnum
+DelaunayRefinementManifoldRepair::Mend(IndexType vertex)
+{
+  m_Star.Find(m_Complex, vertex);
+  const unsigned int numberBefore = m_Star.CountBadPlaces();
+  if (numberBefore == 0)
+  {
+    return OutcomeEnum::GOOD;
+  }
+  this->FindCandidates();
+  const std::vector<RegionType> regions = m_Star.GetRegions();
+  std::vector<IndexType>        cells;
+  for (const CandidateType & candidate : m_Candidates)
+  {
+    // The vertex itself is quickly asked.
+    cells.clear();
+    for (const std::uint32_t number : candidate.cells)
+    {
+      m_Star.GetRegions()[number] = candidate.region;
+      cells.push_back(m_Star.GetCells()[number].index);
+    }
+    const bool isBetter = m_Star.CountBadPlaces() < numberBefore;
+    m_Star.GetRegions() = regions;
+    if (isBetter && this->MayChange(cells, candidate.region) && this->ComputeGain(cells, candidate.region) > 0)
+    {
+      this->Change(cells, candidate.region);
+      return OutcomeEnum::MENDED;
+    }
+  }
+  return OutcomeEnum::LEFT;
+}
+
+void
+DelaunayRefinementManifoldRepair::Change(const std::vector<IndexType> & cells, RegionType region)
+{
+  for (const IndexType cell : cells)
+  {
+    const RegionType own = m_OwnRegions.emplace(cell, m_Complex.GetRegion(cell)).first->second;
+    m_Complex.SetRegion(cell, region);
+    if (own == region)
+    {
+      m_OwnRegions.erase(cell);
+    }
+  }
+}
+
+void
+DelaunayRefinementManifoldRepair::FindCandidates()
+{
+  // Small sets first.
+  m_Candidates.clear();
+  const auto & cells = m_Star.GetCells();
+  for (std::uint32_t number = 0; number < cells.size(); ++number)
+  {
+    this->AddCandidates({ number });
+  }
+  for (std::uint32_t number = 0; number < cells.size(); ++number)
+  {
+    for (const std::uint32_t neighbor : cells[number].neighbors)
+    {
+      if (number < neighbor && m_Star.GetRegions()[neighbor] == m_Star.GetRegions()[number])
+      {
+        this->AddCandidates({ number, neighbor });
+      }
+    }
+  }
+  m_Star.FindParts(m_Parts);
+  for (const auto & part : m_Parts)
+  {
+    this->AddCandidates(part);
+  }
+}
+
+void
+DelaunayRefinementManifoldRepair::AddCandidates(const std::vector<std::uint32_t> & cells)
+{
+  const auto &            regions = m_Star.GetRegions();
+  std::vector<RegionType> others;
+  for (const std::uint32_t number : cells)
+  {
+    for (const std::uint32_t neighbor : m_Star.GetCells()[number].neighbors)
+    {
+      if (regions[neighbor] != regions[number] && !Contains(others, regions[neighbor]))
+      {
+        others.push_back(regions[neighbor]);
+        m_Candidates.push_back({ cells, regions[neighbor] });
+      }
+    }
+  }
+}
+
+int
+DelaunayRefinementManifoldRepair::ComputeGain(const std::vector<IndexType> & cells, RegionType region)
+{
+  std::vector<IndexType> vertices;
+  for (const IndexType cell : cells)
+  {
+    for (const IndexType vertex : m_Complex.GetTriangulation().GetCell(cell).vertices)
+    {
+      if (!Contains(vertices, vertex))
+      {
+        vertices.push_back(vertex);
+      }
+    }
+  }
+  int gain = 0;
+  m_StillBad.clear();
+  for (const IndexType vertex : vertices)
+  {
+    m_OtherStar.Find(m_Complex, vertex);
+    gain += static_cast<int>(m_OtherStar.CountBadPlaces());
+    for (std::size_t i = 0; i < m_OtherStar.GetCells().size(); ++i)
+    {
+      if (Contains(cells, m_OtherStar.GetCells()[i].index))
+      {
+        m_OtherStar.GetRegions()[i] = region;
+      }
+    }
+    const unsigned int numberAfter = m_OtherStar.CountBadPlaces();
+    gain -= static_cast<int>(numberAfter);
+    if (numberAfter > 0)
+    {
+      m_StillBad.push_back(vertex);
+    }
+  }
+  return gain;
+}
+
+bool
+DelaunayRefinementManifoldRepair::MayChange(const std::vector<IndexType> & cells, RegionType region)
+{
+  const auto & triangulation = m_Complex.GetTriangulation();
+  for (const IndexType cell : cells)
+  {
+    for (unsigned int i = 0; i < 4; ++i)
+    {
+      const IndexType neighbor = triangulation.GetCell(cell).neighbors[i];
+      // Facets that part regions already may go on to do so.
+      if (!Contains(cells, neighbor) && m_Complex.GetRegion(neighbor) == m_Complex.GetRegion(cell) &&
+          !this->MayPartRegions(cell, i))
+      {
+        return false;
+      }
+    }
+  }
+  if (region == 0)
+  {
+    return !this->WouldLoseComponent(cells);
+  }
+  return std::all_of(cells.begin(), cells.end(), [&](IndexType cell) {
+    if (triangulation.IsInfinite(cell) || IsFlatDelaunayRefinementTetrahedron(m_Complex, cell))
+    {
+      return false;
+    }
+    const auto & vertices = triangulation.GetCell(cell).vertices;
+    const bool   isAwayFromBox = std::all_of(vertices.begin(), vertices.end(), [this](IndexType vertex) {
+      return m_Complex.IsFeature(vertex) || m_Complex.GetKind(vertex) == DelaunayRefinementEnums::VertexKind::FREE;
+    });
+    const RegionType own = m_Complex.GetRegion(cell);
+    m_Complex.SetRegion(cell, region);
+    const bool fires = m_Rules.FiresR4(cell) || m_Rules.FiresCellSize(cell) || m_Rules.FiresR4Prime(cell);
+    m_Complex.SetRegion(cell, own);
+    return isAwayFromBox && !fires;
+  });
+}
+
+bool
+DelaunayRefinementManifoldRepair::MayPartRegions(IndexType cell, unsigned int facet) const
+{
+  std::array<DelaunayRefinementPoint, 3> p;
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    const IndexType vertex = m_Complex.GetTriangulation().GetCell(cell).vertices[(facet + 1 + i) & 3];
+    if (!m_Complex.IsFeature(vertex))
+    {
+      return false;
+    }
+    p[i] = m_Complex.GetPoint(vertex);
+  }
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    const auto u = Geometry::Subtract(p[(i + 1) % 3], p[i]);
+    const auto v = Geometry::Subtract(p[(i + 2) % 3], p[i]);
+    if (!(Geometry::Dot(u, v) < LargestCosine * std::sqrt(Geometry::Dot(u, u) * Geometry::Dot(v, v))))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool
+DelaunayRefinementManifoldRepair::WouldLoseComponent(const std::vector<IndexType> & cells) const
+{
+  const auto &     triangulation = m_Complex.GetTriangulation();
+  const RegionType region = m_Complex.GetRegion(cells.front());
+  for (const IndexType cell : cells)
+  {
+    for (const IndexType neighbor : triangulation.GetCell(cell).neighbors)
+    {
+      if (m_Complex.GetRegion(neighbor) == region && !Contains(cells, neighbor))
+      {
+        return false;
+      }
+    }
+  }
+  // They touch others in edges or vertices alone: all there is of a component, unless the others around are of it, too.
+  const auto component = m_Oracle.FindComponent(m_Complex.GetCircumcenter(cells.front()));
+  const auto & around = m_Star.GetCells();
+  return std::none_of(around.begin(), around.end(), [&](const auto & other) {
+    return m_Complex.GetRegion(other.index) == region && !Contains(cells, other.index) &&
+           m_Oracle.FindComponent(m_Complex.GetCircumcenter(other.index)) == component;
+  });
+}
+} // end namespace itk

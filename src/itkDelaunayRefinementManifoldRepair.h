@@ -1,0 +1,121 @@
+/*=========================================================================
+ *
+ *  Copyright The DelaunayRefinement Contributors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkDelaunayRefinementManifoldRepair_h
+#define itkDelaunayRefinementManifoldRepair_h
+
+#include "itkDelaunayRefinementRules.h"
+#include "itkDelaunayRefinementVertexStar.h"
+
+#include <map>
+
+namespace itk
+{
+/** \class DelaunayRefinementManifoldRepair
+ * \brief Gives tetrahedra to other regions so that the regions' boundaries become 2-manifolds.
+ *
+ * Where delta is not small against the object, the tetrahedra of a region may touch in an edge or a vertex alone. A
+ * small set of tetrahedra at such a place is given to the region beyond one of its facets if that leaves fewer such
+ * places, no rule fires for those that come inside, and all new facets between regions have three feature vertices and
+ * angles above 30 degrees. Each change leaves fewer bad places, so it ends.
+ *
+ * \ingroup DelaunayRefinement
+ */
+class DelaunayRefinementManifoldRepair
+{
+public:
+  using IndexType = DelaunayRefinementComplex::IndexType;
+  using RegionType = DelaunayRefinementComplex::RegionType;
+
+  DelaunayRefinementManifoldRepair(const DelaunayRefinementOracle & oracle,
+                                   const DelaunayRefinementRules &  rules,
+                                   DelaunayRefinementComplex &      complex,
+                                   DelaunayRefinementThreads &      threads);
+
+  /** To be called when no rule fires. Returns the vertices where nothing helped, ascending. */
+  std::vector<IndexType>
+  Run();
+
+  /** Gives all tetrahedra back to the regions of their circumcenters. */
+  void
+  Undo();
+
+  /** Tetrahedra that are not in the region of their circumcenter. */
+  std::size_t
+  GetNumberOfChanges() const
+  {
+    return m_OwnRegions.size();
+  }
+
+private:
+  /** Cells of the star at hand, and the region for them. */
+  struct CandidateType
+  {
+    std::vector<std::uint32_t> cells;
+    RegionType                 region;
+  };
+
+  enum class OutcomeEnum : uint8_t
+  {
+    GOOD,
+    MENDED, // in part, at least
+    LEFT
+  };
+
+  /** Makes a change at a vertex that is not good, and lists where that leaves others or itself so. */
+  OutcomeEnum
+  Mend(IndexType vertex);
+
+  void
+  Change(const std::vector<IndexType> & cells, RegionType region);
+
+  /** Lists sets of cells of the star at hand, each with regions that they might be given to. */
+  void
+  FindCandidates();
+
+  void
+  AddCandidates(const std::vector<std::uint32_t> & cells);
+
+  /** Bad places at the vertices of some cells before a change, less those after it; lists where the latter are. */
+  int
+  ComputeGain(const std::vector<IndexType> & cells, RegionType region);
+
+  /** Whether the facets that would part regions may do so, and rules leave alone what would come inside. */
+  bool
+  MayChange(const std::vector<IndexType> & cells, RegionType region);
+
+  bool
+  MayPartRegions(IndexType cell, unsigned int facet) const;
+
+  /** Whether the last tetrahedra of a component would go. */
+  bool
+  WouldLoseComponent(const std::vector<IndexType> & cells) const;
+
+  const DelaunayRefinementOracle &        m_Oracle;
+  const DelaunayRefinementRules &         m_Rules;
+  DelaunayRefinementComplex &             m_Complex;
+  DelaunayRefinementThreads &             m_Threads;
+  DelaunayRefinementVertexStar            m_Star{};
+  DelaunayRefinementVertexStar            m_OtherStar{};
+  std::vector<CandidateType>              m_Candidates{};
+  std::vector<std::vector<std::uint32_t>> m_Parts{};
+  std::vector<IndexType>                  m_StillBad{};
+  std::map<IndexType, RegionType>         m_OwnRegions{}; // of the circumcenters, where they are others
+};
+} // end namespace itk
+
+#endif
