@@ -182,6 +182,24 @@ public:
   itkBooleanMacro(RefineOutside);
   /** @ITKEndGrouping */
 
+  /** The boundary of the object, and of each label, is made a 2-manifold: two triangles at each edge, one fan of them
+   * at each vertex. A few tetrahedra come in or go out for it against where their circumcenter is. Between labels some
+   * edges or vertices may be left, which the statistics count. Default on. Not in the paper. */
+  /** @ITKStartGrouping */
+  itkSetMacro(Manifold, bool);
+  itkGetConstMacro(Manifold, bool);
+  itkBooleanMacro(Manifold);
+  /** @ITKEndGrouping */
+
+  /** Upper bound, in physical units (mm), on the Hausdorff distance between the boundary of the mesh and the surface in
+   * the image, cavities and interfaces between labels included: no point of either is farther from the other. Delta is
+   * lowered where that takes it, and a warning says if it could not be kept. Finite and at least 0, else Update()
+   * throws; default 0: no bound. Not in the paper, which has a bound for small Delta. */
+  /** @ITKStartGrouping */
+  itkSetMacro(HausdorffBound, double);
+  itkGetConstMacro(HausdorffBound, double);
+  /** @ITKEndGrouping */
+
   /** The filter gives up with an exception before the triangulation (vertices outside the object included) has more
    * vertices. Positive, else Update() throws; default: the largest number, no limit. Not in the paper. */
   /** @ITKStartGrouping */
@@ -399,6 +417,9 @@ private:
   WarnOfCavities();
 
   void
+  WarnOfSurface();
+
+  void
   WarnOfSmoothing();
 
   void
@@ -433,6 +454,8 @@ private:
   double                             m_CellSize{ std::numeric_limits<double>::infinity() };
   double                             m_MinimumDihedralAngle{ 0.0 };
   bool                               m_RefineOutside{ false };
+  bool                               m_Manifold{ true };
+  double                             m_HausdorffBound{ 0.0 };
   SizeValueType                      m_MaximumNumberOfVertices{ NumericTraits<SizeValueType>::max() };
   double                             m_IsoValue{ 0.0 };
   bool                               m_IsoValueIsSet{ false };

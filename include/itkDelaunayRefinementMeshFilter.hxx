@@ -237,6 +237,7 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::GenerateData()
     this->WarnOfLabels();
     this->WarnOfComponents();
     this->WarnOfCavities();
+    this->WarnOfSurface();
     this->ThrowIfStrict();
     this->WarnOfSmoothing();
 
@@ -360,6 +361,11 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::MakeParameters(const Del
   parameters.radiusEdgeRatioBound = m_RadiusEdgeRatioBound;
   parameters.cellSize = m_CellSize;
   parameters.refineOutside = m_RefineOutside;
+  parameters.manifold = m_Manifold;
+  if (m_HausdorffBound > 0.0)
+  {
+    parameters.hausdorffBound = m_HausdorffBound;
+  }
   parameters.minimumDihedralAngle = m_MinimumDihedralAngle;
   parameters.maximumNumberOfVertices = m_MaximumNumberOfVertices;
   parameters.numberOfThreads = this->ComputeNumberOfThreads();
@@ -519,6 +525,8 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::PrintSelf(std::ostream &
   os << indent << "CellSize: " << m_CellSize << '\n';
   os << indent << "MinimumDihedralAngle: " << m_MinimumDihedralAngle << '\n';
   os << indent << "RefineOutside: " << onOff(m_RefineOutside) << '\n';
+  os << indent << "Manifold: " << onOff(m_Manifold) << '\n';
+  os << indent << "HausdorffBound: " << m_HausdorffBound << '\n';
   os << indent << "MaximumNumberOfVertices: " << m_MaximumNumberOfVertices << '\n';
   os << indent << "IsoValue: " << m_IsoValue << '\n';
   os << indent << "IsoValueIsSet: " << onOff(m_IsoValueIsSet) << '\n';

@@ -62,6 +62,10 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::VerifyPreconditions() IT
   {
     itkExceptionMacro("CellSize is " << m_CellSize << "; it must be a positive length");
   }
+  if (!(m_HausdorffBound >= 0.0 && std::isfinite(m_HausdorffBound)))
+  {
+    itkExceptionMacro("HausdorffBound is " << m_HausdorffBound << "; it must be a length, or 0 for no bound");
+  }
   if (!(m_MinimumDihedralAngle >= 0.0 && m_MinimumDihedralAngle < 60.0))
   {
     itkExceptionMacro("MinimumDihedralAngle is " << m_MinimumDihedralAngle
@@ -479,12 +483,15 @@ template <typename TInputImage, typename TOutputMesh>
 void
 DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::ThrowIfStrict() const
 {
-  if (m_Strict &&
-      !(m_MissingLabels.empty() && m_Statistics.missingComponents.empty() && m_Statistics.missingCavities.empty()))
+  const bool isComplete =
+    m_MissingLabels.empty() && m_Statistics.missingComponents.empty() && m_Statistics.missingCavities.empty();
+  const bool isNear = !(m_HausdorffBound > 0.0) || std::max(m_Statistics.meshToSurface.distance,
+                                                            m_Statistics.surfaceToMesh.distance) < m_HausdorffBound;
+  if (m_Strict && !(isComplete && isNear))
   {
     // What is missing is told first.
-    itkExceptionMacro("The mesh is not complete, as Strict asks for: " << m_Warnings.front()
-                                                                       << "; set a smaller Delta, or leave Strict off");
+    itkExceptionMacro("The mesh is not " << (isComplete ? "near enough" : "complete") << ", as Strict asks for: "
+                                         << m_Warnings.front() << "; set a smaller Delta, or leave Strict off");
   }
 }
 
@@ -526,6 +533,8 @@ void
 DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::WarnOfCavities()
 {
   constexpr std::size_t mostShown = 10;
+  const std::string     orOwn = m_LabelDeltas.empty() ? "" : " or the delta of their label";
+  const std::string     orSmoothing = m_Smoothing > 0.0 ? ", or for Smoothing," : "";
   const auto &          missing = m_Statistics.missingCavities;
   if (missing.empty())
   {
@@ -533,7 +542,7 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::WarnOfCavities()
   }
   std::ostringstream text;
   text << missing.size() << " of " << m_Cavities.size() << (missing.size() == 1 ? " cavities is" : " cavities are")
-       << " too small for Delta " << m_EffectiveDelta << " mm and filled in the mesh:";
+       << " too small for Delta " << m_EffectiveDelta << " mm" << orOwn << orSmoothing << " and filled in the mesh:";
   for (std::size_t i = 0; i < std::min(missing.size(), mostShown); ++i)
   {
     const DelaunayRefinementCavity & cavity = m_Cavities[missing[i]];
@@ -542,6 +551,33 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::WarnOfCavities()
   }
   text << (missing.size() > mostShown ? ", ..." : "");
   m_Warnings.push_back(text.str());
+}
+
+template <typename TInputImage, typename TOutputMesh>
+void
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::WarnOfSurface()
+{
+  if (m_Statistics.nonManifoldVertices > 0 && m_RegionLabels.size() < 2)
+  {
+    std::ostringstream text;
+    text << "The boundary is no 2-manifold at " << m_Statistics.nonManifoldVertices << " vertices; set a smaller Delta";
+    m_Warnings.push_back(text.str());
+  }
+  const auto warn = [this](const DelaunayRefinementDistance & distance, const char * from, const char * to) {
+    if (distance.distance >= m_HausdorffBound)
+    {
+      std::ostringstream text;
+      text << "HausdorffBound " << m_HausdorffBound << " mm is not kept: " << from << " is " << distance.distance
+           << " mm from " << to << " at (" << distance.place[0] << ", " << distance.place[1] << ", "
+           << distance.place[2] << ")";
+      m_Warnings.push_back(text.str());
+    }
+  };
+  if (m_HausdorffBound > 0.0)
+  {
+    warn(m_Statistics.meshToSurface, "the mesh's boundary", "the surface in the image");
+    warn(m_Statistics.surfaceToMesh, "the surface in the image", "the mesh's boundary");
+  }
 }
 
 template <typename TInputImage, typename TOutputMesh>

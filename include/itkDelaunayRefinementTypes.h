@@ -71,6 +71,10 @@ struct DelaunayRefinementParameters
    * of their circumcenter, and vertices put where that does not help. */
   bool manifold{ true };
 
+  /** Upper bound on both directions of the distance between the boundary and the surface: delta is lowered where it is
+   * not kept. Infinite: no bound, and no distance is measured. */
+  double hausdorffBound{ std::numeric_limits<double>::infinity() };
+
   /** The refinement stops with VERTEX_LIMIT before the triangulation has more vertices. */
   std::uint64_t maximumNumberOfVertices{ std::numeric_limits<std::uint64_t>::max() };
 
@@ -83,6 +87,20 @@ struct DelaunayRefinementParameters
   /** Called now and then on the calling thread with a growing share of the work done, in [0, 1]; the refinement stops
    * with STOPPED_BY_CALLER when it returns false. */
   std::function<bool(double)> progress{};
+};
+
+/** \class DelaunayRefinementDistance
+ * \brief How far one of two surfaces lies from the other at most, and where.
+ *
+ * \ingroup DelaunayRefinement
+ */
+struct DelaunayRefinementDistance
+{
+  /** In physical units (mm); negative if it was not measured. */
+  double distance{ -1.0 };
+
+  /** A point of the one surface that is as far from the other. */
+  DelaunayRefinementPoint place{};
 };
 
 /** \class DelaunayRefinementStatistics
@@ -127,6 +145,13 @@ struct DelaunayRefinementStatistics
 
   /** Vertices at which the boundary of a region is not a 2-manifold, as far as that was asked for. */
   std::size_t nonManifoldVertices{ 0 };
+
+  /** From the mesh's boundary, interfaces included, to the surface; measured if there is a bound, and then certified:
+   * no point is farther by more than 2 % of the bound. */
+  DelaunayRefinementDistance meshToSurface{};
+
+  /** From the surface to the mesh's boundary; the same. */
+  DelaunayRefinementDistance surfaceToMesh{};
 
   /** For each component for which delta was lowered: its number and the delta that was used. */
   std::vector<std::pair<std::uint32_t, double>> loweredDeltas{};

@@ -65,8 +65,7 @@ FindFacets(const DelaunayRefinementComplex & complex, IndexType begin, IndexType
       if (other < region)
       {
         const auto & face = FacetVertices[i];
-        facets.push_back(
-          { { cell.vertices[face[0]], cell.vertices[face[1]], cell.vertices[face[2]] }, region, other });
+        facets.push_back({ { cell.vertices[face[0]], cell.vertices[face[1]], cell.vertices[face[2]] }, region, other });
       }
     }
   }

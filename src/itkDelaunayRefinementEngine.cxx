@@ -24,6 +24,7 @@
 #include "itkDelaunayRefinementEncroachment.h"
 #include "itkDelaunayRefinementFlatTetrahedra.h"
 #include "itkDelaunayRefinementExtraction.h"
+#include "itkDelaunayRefinementFidelity.h"
 #include "itkDelaunayRefinementJunctionSample.h"
 #include "itkDelaunayRefinementLocalDelta.h"
 #include "itkDelaunayRefinementManifoldRepair.h"
@@ -65,6 +66,16 @@ constexpr unsigned int MaximumNumberOfLowerings = 4;
 /** Tetrahedra that are too flat get another vertex, moved by this share of delta. */
 constexpr double       ShapeMove = 1e-3;
 constexpr unsigned int MaximumNumberOfShapeRounds = 20;
+
+/** Where boundary and surface are too far from each other delta gets this share of itself, so often at most, and at
+ * least this share of the bound on their distance. */
+constexpr double       DeltaStep = 0.5;
+constexpr double       LeastDeltaShare = 0.125;
+constexpr double       SmallestStep = 0.01;
+constexpr unsigned int MaximumNumberOfFidelityRounds = 40;
+
+/** Steps in which delta varies in space then, over the bound. */
+constexpr double ResolutionShare = 0.5;
 
 /** So often vertices are put where the boundary is no manifold. */
 constexpr unsigned int MaximumNumberOfManifoldRounds = 20;
@@ -193,6 +204,10 @@ private:
   void
   InsertNear(IndexType vertex);
 
+  /** Lowers delta where boundary and surface are too far from each other; false if they are nowhere. */
+  bool
+  ImproveFidelity();
+
   /** Tells the caller how far it is; false if he, now or before, wished to stop. */
   bool
   KeepGoing();
@@ -215,6 +230,7 @@ private:
   std::unique_ptr<DelaunayRefinementEncroachment>   m_Encroachment{};
   std::unique_ptr<DelaunayRefinementCircumcenters>  m_Circumcenters{};
   std::unique_ptr<DelaunayRefinementManifoldRepair> m_Repair{};
+  std::unique_ptr<DelaunayRefinementFidelity>       m_Fidelity{};
   DelaunayRefinementBlockQueue                      m_R2Queue{};
   DelaunayRefinementQueue                           m_EncroachmentQueue{};
   DelaunayRefinementQueue                           m_R3Queue{};
@@ -229,6 +245,7 @@ private:
   unsigned int                                      m_NumberOfLowerings{ 0 };
   unsigned int                                      m_NumberOfShapeRounds{ 0 };
   unsigned int                                      m_NumberOfManifoldRounds{ 0 };
+  unsigned int                                      m_NumberOfFidelityRounds{ 0 };
   std::size_t                                       m_NumberOfSteps{ 0 };
   std::size_t                                       m_NextQuestion{ ProgressInterval };
   double                                            m_Progress{ 0.0 };
@@ -356,7 +373,8 @@ DelaunayRefinementEngine::Impl::Refine()
       }
     }
     if (!(this->ApplyR1() || this->ApplyR3() || this->ApplyEncroachment() || this->ApplyR2() || this->ApplyR4() ||
-          this->MendFlatTetrahedra() || this->LowerDeltaOfMissingComponents() || this->MakeManifold()))
+          this->MendFlatTetrahedra() || this->LowerDeltaOfMissingComponents() || this->MakeManifold() ||
+          this->ImproveFidelity()))
     {
       return;
     }
@@ -472,7 +490,11 @@ DelaunayRefinementEngine::Impl::ApplyR1()
   this->Certify(points, m_Complex->GetNumberOfVertices());
   for (std::size_t i = 0; i < points.size() && m_Reason == TerminationReason::COMPLETED; ++i)
   {
-    this->InsertFeature(RefinementRule::R1, points[i], m_Complex->GetTriangulation().GetCellOfVertex(1));
+    // Points come in an order in which each is near the one before it, or most are.
+    const IndexType last = i == 0 ? 1 : m_Complex->GetTriangulation().GetNumberOfVertexIndexes() - 1;
+    const IndexType hint = m_Complex->GetTriangulation().GetCellOfVertex(last);
+    this->InsertFeature(
+      RefinementRule::R1, points[i], hint != DelaunayRefinementComplex::None ? hint : m_Complex->GetNewCells().front());
     if (i % ProgressInterval == 0)
     {
       this->KeepGoing();
@@ -766,6 +788,48 @@ DelaunayRefinementEngine::Impl::InsertNear(IndexType vertex)
   {
     this->InsertFeature(RefinementRule::MANIFOLD, chosen, star.GetCells().front().index);
   }
+}
+
+bool
+DelaunayRefinementEngine::Impl::ImproveFidelity()
+{
+  const double bound = m_Parameters.hausdorffBound;
+  if (std::isinf(bound))
+  {
+    return false;
+  }
+  if (m_Fidelity == nullptr)
+  {
+    m_Fidelity = std::make_unique<DelaunayRefinementFidelity>(m_Oracle, *m_Complex, m_Threads, bound);
+  }
+  const auto          places = m_Fidelity->FindFarPlaces();
+  std::vector<double> deltas;
+  deltas.reserve(places.size());
+  for (const auto & place : places)
+  {
+    deltas.push_back(m_LocalDelta.GetAt(place.center));
+  }
+  bool isLowered = false;
+  for (std::size_t i = 0; i < places.size() && m_NumberOfFidelityRounds < MaximumNumberOfFidelityRounds; ++i)
+  {
+    // Another place nearby may have seen to it.
+    const double lowered = std::max(DeltaStep * deltas[i], LeastDeltaShare * bound);
+    if (lowered < (1.0 - SmallestStep) * m_LocalDelta.GetAt(places[i].center))
+    {
+      m_LocalDelta.LowerAround(places[i].center, places[i].radius + deltas[i], lowered, ResolutionShare * bound);
+      isLowered = true;
+    }
+  }
+  if (!isLowered)
+  {
+    m_Statistics.meshToSurface = m_Fidelity->MeasureFromFacets();
+    m_Statistics.surfaceToMesh = m_Fidelity->MeasureFromSurface();
+    return false;
+  }
+  ++m_NumberOfFidelityRounds;
+  m_Repair->Undo();
+  m_IsSampleOpen = true;
+  return true;
 }
 
 bool

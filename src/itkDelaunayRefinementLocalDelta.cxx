@@ -79,14 +79,33 @@ DelaunayRefinementLocalDelta::MayBeLoweredWithin(const PointType & point, double
 double
 DelaunayRefinementLocalDelta::GetAt(const PointType & point) const
 {
-  return this->MayBeLoweredWithin(point, 0.0) ? m_Oracle.FindLeastAt(point, m_DeltaOfComponents) : m_Delta;
+  const double own = this->MayBeLoweredWithin(point, 0.0) ? m_Oracle.FindLeastAt(point, m_DeltaOfComponents) : m_Delta;
+  return m_Field.IsStarted() ? std::min(own, m_Field.GetAt(point)) : own;
 }
 
 DelaunayRefinementLocalDelta::RangeType
 DelaunayRefinementLocalDelta::GetRange(const PatchType & patch) const
 {
-  return this->MayBeLoweredWithin(patch.center, patch.radius) ? m_Oracle.FindLeastInPatch(patch, m_DeltaOfComponents)
-                                                              : RangeType{ m_Delta, m_Delta };
+  RangeType range = this->MayBeLoweredWithin(patch.center, patch.radius)
+                      ? m_Oracle.FindLeastInPatch(patch, m_DeltaOfComponents)
+                      : RangeType{ m_Delta, m_Delta };
+  if (m_Field.IsStarted())
+  {
+    const RangeType field = m_Field.GetRange(patch.center, patch.radius);
+    range = { std::min(range.least, field.least), std::min(range.greatest, field.greatest) };
+  }
+  return range;
+}
+
+void
+DelaunayRefinementLocalDelta::LowerAround(const PointType & point, double radius, double delta, double resolution)
+{
+  if (!m_Field.IsStarted())
+  {
+    m_Field.Start(m_Bounds, resolution, m_Delta);
+  }
+  m_Field.Lower(point, radius, delta);
+  m_Minimum = std::min(m_Minimum, delta);
 }
 
 void

@@ -18,12 +18,13 @@
 #ifndef itkDelaunayRefinementLocalDelta_h
 #define itkDelaunayRefinementLocalDelta_h
 
-#include "itkDelaunayRefinementOracle.h"
+#include "itkDelaunayRefinementSizeField.h"
 
 namespace itk
 {
 /** \class DelaunayRefinementLocalDelta
- * \brief The delta that holds at a point of the surface: lower for some components than for the rest.
+ * \brief The delta that holds at a point of the surface: lower for some components, and around some places, than for
+ * the rest.
  *
  * \ingroup DelaunayRefinement
  */
@@ -69,12 +70,17 @@ public:
   bool
   IsUniform() const
   {
-    return m_MayBeLowered.empty();
+    return m_MayBeLowered.empty() && !m_Field.IsStarted();
   }
 
   /** Lowers the delta of one component. */
   void
   Lower(ComponentType component, double delta);
+
+  /** Lowers delta within \c radius of a point, and around so that it changes slowly. The first call says in which steps
+   * of space: \c resolution. */
+  void
+  LowerAround(const PointType & point, double radius, double delta, double resolution);
 
   /** The components with a lower delta, and their deltas, by component. */
   std::vector<std::pair<ComponentType, double>>
@@ -107,6 +113,8 @@ private:
   /** For each box of a coarse grid over the surface whether the bounds of a lowered component reach into it; empty if
    * none is lowered. */
   std::vector<bool> m_MayBeLowered{};
+
+  DelaunayRefinementSizeField m_Field{};
 };
 } // end namespace itk
 

@@ -245,8 +245,8 @@ DelaunayRefinementManifoldRepair::MayChange(const std::vector<IndexType> & cells
     {
       return false;
     }
-    const auto & vertices = triangulation.GetCell(cell).vertices;
-    const bool   isAwayFromBox = std::all_of(vertices.begin(), vertices.end(), [this](IndexType vertex) {
+    const auto &     vertices = triangulation.GetCell(cell).vertices;
+    const bool       isAwayFromBox = std::all_of(vertices.begin(), vertices.end(), [this](IndexType vertex) {
       return m_Complex.IsFeature(vertex) || m_Complex.GetKind(vertex) == DelaunayRefinementEnums::VertexKind::FREE;
     });
     const RegionType own = m_Complex.GetRegion(cell);
@@ -298,7 +298,7 @@ DelaunayRefinementManifoldRepair::WouldLoseComponent(const std::vector<IndexType
     }
   }
   // They touch others in edges or vertices alone: all there is of a component, unless the others around are of it, too.
-  const auto component = m_Oracle.FindComponent(m_Complex.GetCircumcenter(cells.front()));
+  const auto   component = m_Oracle.FindComponent(m_Complex.GetCircumcenter(cells.front()));
   const auto & around = m_Star.GetCells();
   return std::none_of(around.begin(), around.end(), [&](const auto & other) {
     return m_Complex.GetRegion(other.index) == region && !Contains(cells, other.index) &&

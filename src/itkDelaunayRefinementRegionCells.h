@@ -376,7 +376,7 @@ private:
   {
     const std::array<unsigned int, 8> corners{ first,     first + 1,  first + 3,  first + 4,
                                                first + 9, first + 10, first + 12, first + 13 };
-    const auto isInside = [&grids](unsigned int i) { return grids.all[i] >= 0.5; };
+    const auto                        isInside = [&grids](unsigned int i) { return grids.all[i] >= 0.5; };
     if (std::none_of(corners.begin(), corners.end(), isInside))
     {
       return 1;
@@ -391,8 +391,8 @@ private:
         const GridType & own = grids.weights[j];
         const GridType & other = grids.weights[k];
         mayHavePoints = j == k || std::any_of(corners.begin(), corners.end(), [&](unsigned int i) {
-          return j < k ? own[i] >= other[i] : own[i] > other[i];
-        });
+                          return j < k ? own[i] >= other[i] : own[i] > other[i];
+                        });
       }
       number += mayHavePoints ? 1 : 0;
     }

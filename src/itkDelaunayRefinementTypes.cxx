@@ -42,6 +42,8 @@ operator<<(std::ostream & out, const DelaunayRefinementStatistics & statistics)
              << statistics.insertionSeconds << ", of refinement " << statistics.refinementSeconds << ", of extraction "
              << statistics.extractionSeconds << "; missing components " << statistics.missingComponents.size()
              << "; missing cavities " << statistics.missingCavities.size() << "; lowered deltas "
-             << statistics.loweredDeltas.size();
+             << statistics.loweredDeltas.size() << "; changed tetrahedra " << statistics.changedTetrahedra
+             << "; non-manifold vertices " << statistics.nonManifoldVertices << "; mesh to surface "
+             << statistics.meshToSurface.distance << ", surface to mesh " << statistics.surfaceToMesh.distance;
 }
 } // end namespace itk

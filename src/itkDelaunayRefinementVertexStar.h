@@ -62,7 +62,8 @@ public:
   }
 
   /** How many places keep the regions' boundaries from being 2-manifolds here, outside left out: at each edge the pairs
-   * of triangles beyond the first, and at the vertex the fans beyond the first. An edge also counts at its other end. */
+   * of triangles beyond the first, and at the vertex the fans beyond the first. An edge also counts at its other end.
+   */
   unsigned int
   CountBadPlaces();
 

@@ -102,6 +102,15 @@ AddSizeOptions(CLI::App & app, Options & options)
            ParseDihedralAngle,
            "split tetrahedra with smaller dihedral angles where possible; default: off")
     ->group(group);
+  AddValue(app,
+           "--hausdorff-bound",
+           "MM",
+           options.hausdorffBound,
+           ParsePositive,
+           "upper bound on the distance between boundary and surface, both ways; default: none")
+    ->group(group);
+  app.add_flag("--allow-non-manifold", options.allowNonManifold, "leave the boundary as the rules make it")
+    ->group(group);
   app.add_flag("--refine-outside", options.refineOutside, "rule R2 outside the object too, as in the paper")
     ->group(group);
   AddValue(app,

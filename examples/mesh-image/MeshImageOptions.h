@@ -56,6 +56,8 @@ struct Options
   std::optional<double>                         radiusEdgeBound;
   std::optional<double>                         minimumDihedralAngle;
   bool                                          refineOutside{ false };
+  bool                                          allowNonManifold{ false };
+  std::optional<double>                         hausdorffBound;
   std::optional<std::uint64_t>                  maximumNumberOfVertices;
 
   bool                         largestComponent{ false };

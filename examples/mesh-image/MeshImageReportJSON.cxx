@@ -50,6 +50,8 @@ Parameters(const Options & options)
            { "cell_size", OrNull(options.cellSize) },
            { "radius_edge_bound", OrNull(options.radiusEdgeBound) },
            { "min_dihedral", OrNull(options.minimumDihedralAngle) },
+           { "hausdorff_bound", OrNull(options.hausdorffBound) },
+           { "allow_non_manifold", options.allowNonManifold },
            { "refine_outside", options.refineOutside },
            { "max_vertices", OrNull(options.maximumNumberOfVertices) },
            { "largest_component", options.largestComponent },
@@ -100,6 +102,7 @@ Rules(const itk::DelaunayRefinementStatistics & statistics)
            { "cell_size", insertions(Rule::CELL_SIZE) },
            { "shape", insertions(Rule::SHAPE) },
            { "junction", insertions(Rule::JUNCTION) },
+           { "manifold", insertions(Rule::MANIFOLD) },
            { "E1", encroachments(Case::E1) },
            { "E2", encroachments(Case::E2) },
            { "E3", encroachments(Case::E3) },
@@ -164,6 +167,13 @@ MissingCavities(const Run & run)
   return list;
 }
 
+/** Null if it was not measured. */
+Json
+Distance(const itk::DelaunayRefinementDistance & distance)
+{
+  return distance.distance < 0.0 ? Json() : Json{ { "distance", distance.distance }, { "place", distance.place } };
+}
+
 Json
 LoweredDeltas(const Run & run)
 {
@@ -224,6 +234,10 @@ Compose(const Report & report)
            { "missing_cavities", MissingCavities(run) },
            { "missing_labels", run.missingLabels },
            { "lowered_deltas", LoweredDeltas(run) },
+           { "changed_tetrahedra", run.statistics.changedTetrahedra },
+           { "non_manifold_vertices", run.statistics.nonManifoldVertices },
+           { "mesh_to_surface", Distance(run.statistics.meshToSurface) },
+           { "surface_to_mesh", Distance(run.statistics.surfaceToMesh) },
            { "lowered_smoothings", LoweredSmoothings(run) },
            { "warnings", run.warnings },
            { "termination", Name(run.statistics.terminationReason) } };

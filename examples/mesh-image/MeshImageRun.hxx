@@ -132,6 +132,11 @@ SetSizes(TFilter & filter, const Options & options)
     filter.SetMinimumDihedralAngle(*options.minimumDihedralAngle);
   }
   filter.SetRefineOutside(options.refineOutside);
+  filter.SetManifold(!options.allowNonManifold);
+  if (options.hausdorffBound)
+  {
+    filter.SetHausdorffBound(*options.hausdorffBound);
+  }
   if (options.maximumNumberOfVertices)
   {
     filter.SetMaximumNumberOfVertices(*options.maximumNumberOfVertices);

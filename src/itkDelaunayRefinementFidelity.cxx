@@ -1,0 +1,360 @@
+/*=========================================================================
+ *
+ *  Copyright The DelaunayRefinement Contributors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkDelaunayRefinementFidelity.h"
+
+#include <algorithm>
+#include <queue>
+
+namespace itk
+{
+namespace
+{
+using Geometry = DelaunayRefinementGeometry;
+using PointType = DelaunayRefinementPoint;
+using TriangleType = DelaunayRefinementTriangleGrid::TriangleType;
+
+/** Points farther than this share of the bound are too far. */
+constexpr double FarShare = 0.9;
+
+/** Pieces with a radius below this share of the bound are asked for a point of their own. */
+constexpr double SmallShare = 0.05;
+
+/** How well distances are measured, over the bound. */
+constexpr double ToleranceShare = 0.02;
+
+constexpr std::size_t PiecesAtATime = 1024;
+
+/** A ball around a triangle: of its longest edge if that is enough, else around its centroid. */
+struct BallType
+{
+  PointType center;
+  double    radius;
+};
+
+BallType
+FindBall(const TriangleType & triangle)
+{
+  BallType ball{ {}, 0.0 };
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    ball.center[i] = (triangle[0][i] + triangle[1][i] + triangle[2][i]) / 3.0;
+  }
+  for (const PointType & point : triangle)
+  {
+    ball.radius = std::max(ball.radius, Geometry::Distance(ball.center, point));
+  }
+  return ball;
+}
+
+std::array<TriangleType, 4>
+Split(const TriangleType & triangle)
+{
+  const auto middle = [&](unsigned int i, unsigned int j) {
+    return Geometry::AddScaled(triangle[i], 0.5, Geometry::Subtract(triangle[j], triangle[i]));
+  };
+  const PointType ab = middle(0, 1);
+  const PointType bc = middle(1, 2);
+  const PointType ca = middle(2, 0);
+  return { TriangleType{ triangle[0], ab, ca },
+           TriangleType{ ab, triangle[1], bc },
+           TriangleType{ ca, bc, triangle[2] },
+           TriangleType{ ab, bc, ca } };
+}
+} // namespace
+
+DelaunayRefinementFidelity::DelaunayRefinementFidelity(const DelaunayRefinementOracle &  oracle,
+                                                       const DelaunayRefinementComplex & complex,
+                                                       DelaunayRefinementThreads &       threads,
+                                                       double                            bound)
+  : m_Oracle(oracle)
+  , m_Complex(complex)
+  , m_Threads(threads)
+  , m_Bound(bound)
+{
+  const auto patches = oracle.GetSurfacePatches();
+  m_Pieces.reserve(patches.GetSize());
+  for (std::size_t i = 0; i < patches.GetSize(); ++i)
+  {
+    m_Pieces.push_back({ patches.Get(i), {} });
+  }
+}
+
+std::vector<DelaunayRefinementFidelity::PlaceType>
+DelaunayRefinementFidelity::FindFarPlaces()
+{
+  std::vector<PlaceType> places;
+  this->FindFacets();
+  this->CertifySurface(places);
+  this->CertifyFacets(places);
+  return places;
+}
+
+bool
+DelaunayRefinementFidelity::PartsRegions(const FacetType & facet) const
+{
+  const auto & triangulation = m_Complex.GetTriangulation();
+  return facet.cell != DelaunayRefinementComplex::None && triangulation.GetGeneration(facet.cell) == facet.generation &&
+         m_Complex.GetRegion(facet.cell) !=
+           m_Complex.GetRegion(triangulation.GetCell(facet.cell).neighbors[facet.slot]);
+}
+
+DelaunayRefinementFidelity::TriangleType
+DelaunayRefinementFidelity::GetTriangle(const FacetType & facet) const
+{
+  const auto & vertices = m_Complex.GetTriangulation().GetCell(facet.cell).vertices;
+  return { m_Complex.GetPoint(vertices[(facet.slot + 1) & 3]),
+           m_Complex.GetPoint(vertices[(facet.slot + 2) & 3]),
+           m_Complex.GetPoint(vertices[(facet.slot + 3) & 3]) };
+}
+
+void
+DelaunayRefinementFidelity::FindFacets()
+{
+  const auto &              triangulation = m_Complex.GetTriangulation();
+  std::vector<TriangleType> triangles;
+  m_Facets.clear();
+  for (IndexType cell = 0; cell < triangulation.GetNumberOfCellIndexes(); ++cell)
+  {
+    const auto region = triangulation.IsAlive(cell) ? m_Complex.GetRegion(cell) : 0;
+    for (std::uint32_t slot = 0; slot < 4 && region != 0; ++slot)
+    {
+      if (m_Complex.GetRegion(triangulation.GetCell(cell).neighbors[slot]) < region)
+      {
+        m_Facets.push_back({ cell, triangulation.GetGeneration(cell), slot });
+        triangles.push_back(this->GetTriangle(m_Facets.back()));
+      }
+    }
+  }
+  m_Grid.Start(std::move(triangles));
+}
+
+void
+DelaunayRefinementFidelity::CertifySurface(std::vector<PlaceType> & places)
+{
+  using Threads = DelaunayRefinementThreads;
+  std::vector<PartType> parts(Threads::CountPieces(m_Pieces.size(), PiecesAtATime));
+  Threads::RunPieces(
+    &m_Threads, m_Pieces.size(), PiecesAtATime, [&](std::size_t number, std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        if (this->PartsRegions(m_Pieces[i].facet))
+        {
+          parts[number].pieces.push_back(m_Pieces[i]);
+        }
+        else
+        {
+          this->CertifyPatch(m_Pieces[i].patch, parts[number]);
+        }
+      }
+    });
+  m_Pieces.clear();
+  for (const PartType & part : parts)
+  {
+    m_Pieces.insert(m_Pieces.end(), part.pieces.begin(), part.pieces.end());
+    places.insert(places.end(), part.places.begin(), part.places.end());
+  }
+}
+
+void
+DelaunayRefinementFidelity::CertifyPatch(const PatchType & patch, PartType & part) const
+{
+  const double room = m_Bound - patch.radius;
+  const double far = FarShare * m_Bound;
+  const auto   near = m_Grid.Find(patch.center, room, m_Bound + patch.radius);
+  if (near.distance <= room)
+  {
+    part.pieces.push_back({ patch, m_Facets[near.number] });
+    return;
+  }
+  if (patch.radius < SmallShare * m_Bound || near.distance - patch.radius > far)
+  {
+    PointType point;
+    if (!m_Oracle.FindPointOfPatch(patch.identifier, point))
+    {
+      return;
+    }
+    if (m_Grid.Find(point, far, m_Bound).distance > far)
+    {
+      part.pieces.push_back({ patch, {} });
+      part.places.push_back({ point, 0.0 });
+      return;
+    }
+  }
+  DelaunayRefinementSurfacePatches parts(patch.center);
+  m_Oracle.SplitSurfacePatch(patch.identifier, parts);
+  for (std::size_t i = 0; i < parts.GetSize(); ++i)
+  {
+    this->CertifyPatch(parts.Get(i), part);
+  }
+}
+
+void
+DelaunayRefinementFidelity::CertifyFacets(std::vector<PlaceType> & places)
+{
+  using Threads = DelaunayRefinementThreads;
+  m_CertifiedFacets.resize(4 * std::size_t{ m_Complex.GetTriangulation().GetNumberOfCellIndexes() }, 0);
+  std::vector<std::vector<PlaceType>> found(Threads::CountPieces(m_Facets.size(), PiecesAtATime));
+  Threads::RunPieces(
+    &m_Threads, m_Facets.size(), PiecesAtATime, [&](std::size_t number, std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const FacetType & facet = m_Facets[i];
+        std::uint32_t &   certified = m_CertifiedFacets[4 * std::size_t{ facet.cell } + facet.slot];
+        PointType         far;
+        if (certified == facet.generation)
+        {
+          continue;
+        }
+        if (this->IsNearSurface(m_Grid.GetTriangles()[i], far))
+        {
+          certified = facet.generation;
+          continue;
+        }
+        PlaceType place{ far, 0.0 };
+        for (const PointType & vertex : m_Grid.GetTriangles()[i])
+        {
+          place.radius = std::max(place.radius, Geometry::Distance(vertex, far));
+        }
+        found[number].push_back(place);
+      }
+    });
+  for (const auto & some : found)
+  {
+    places.insert(places.end(), some.begin(), some.end());
+  }
+}
+
+bool
+DelaunayRefinementFidelity::IsNearSurface(const TriangleType & triangle, PointType & far) const
+{
+  const BallType ball = FindBall(triangle);
+  if (ball.radius < m_Bound && m_Oracle.IsSurfaceWithin(ball.center, m_Bound - ball.radius))
+  {
+    return true;
+  }
+  if (!m_Oracle.IsSurfaceWithin(ball.center, FarShare * m_Bound))
+  {
+    far = ball.center;
+    return false;
+  }
+  const auto parts = Split(triangle);
+  return std::all_of(
+    parts.begin(), parts.end(), [&](const TriangleType & part) { return this->IsNearSurface(part, far); });
+}
+
+DelaunayRefinementFidelity::DistanceType
+DelaunayRefinementFidelity::MeasureFromFacets() const
+{
+  // The piece that may be farthest next, until another cannot be farther by much.
+  struct PieceType
+  {
+    double       most;
+    TriangleType triangle;
+
+    bool
+    operator<(const PieceType & other) const
+    {
+      return most < other.most;
+    }
+  };
+  DistanceType                   greatest{ 0.0, {} };
+  std::priority_queue<PieceType> queue;
+  const auto                     push = [&](const TriangleType & triangle, double most) {
+    const BallType ball = FindBall(triangle);
+    PointType      closest;
+    const double   enough = greatest.distance + ToleranceShare * m_Bound - ball.radius;
+    if (enough > 0.0 && m_Oracle.IsSurfaceWithin(ball.center, enough))
+    {
+      return;
+    }
+    const double distance =
+      m_Oracle.FindClosestSurfacePoint(ball.center, most, closest) ? Geometry::Distance(ball.center, closest) : most;
+    if (distance > greatest.distance)
+    {
+      greatest = { distance, ball.center };
+    }
+    queue.push({ std::min(most, distance + ball.radius), triangle });
+  };
+  const auto   bounds = m_Oracle.GetSurfaceBounds();
+  const double whole = 2.0 * Geometry::Distance(bounds.minimum, bounds.maximum);
+  for (const TriangleType & triangle : m_Grid.GetTriangles())
+  {
+    push(triangle, whole);
+  }
+  while (!queue.empty() && queue.top().most > greatest.distance + ToleranceShare * m_Bound)
+  {
+    const PieceType piece = queue.top();
+    queue.pop();
+    for (const TriangleType & part : Split(piece.triangle))
+    {
+      push(part, piece.most);
+    }
+  }
+  return greatest;
+}
+
+DelaunayRefinementFidelity::DistanceType
+DelaunayRefinementFidelity::MeasureFromSurface() const
+{
+  struct PieceType
+  {
+    double    most;
+    PatchType patch;
+
+    bool
+    operator<(const PieceType & other) const
+    {
+      return most < other.most;
+    }
+  };
+  DistanceType                   greatest{ 0.0, {} };
+  std::priority_queue<PieceType> queue;
+  const auto                     push = [&](const PatchType & patch) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const double     enough = greatest.distance + ToleranceShare * m_Bound - patch.radius;
+    const double     distance = m_Grid.Find(patch.center, enough, infinity).distance;
+    PointType        point;
+    if (distance <= enough || !m_Oracle.FindPointOfPatch(patch.identifier, point))
+    {
+      return;
+    }
+    const double own = m_Grid.Find(point, greatest.distance, infinity).distance;
+    if (own > greatest.distance)
+    {
+      greatest = { own, point };
+    }
+    queue.push({ distance + patch.radius, patch });
+  };
+  for (const CertifiedType & piece : m_Pieces)
+  {
+    push(piece.patch);
+  }
+  while (!queue.empty() && queue.top().most > greatest.distance + ToleranceShare * m_Bound)
+  {
+    const PatchType patch = queue.top().patch;
+    queue.pop();
+    DelaunayRefinementSurfacePatches parts(patch.center);
+    m_Oracle.SplitSurfacePatch(patch.identifier, parts);
+    for (std::size_t i = 0; i < parts.GetSize(); ++i)
+    {
+      push(parts.Get(i));
+    }
+  }
+  return greatest;
+}
+} // end namespace itk

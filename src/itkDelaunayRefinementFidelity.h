@@ -1,0 +1,124 @@
+/*=========================================================================
+ *
+ *  Copyright The DelaunayRefinement Contributors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkDelaunayRefinementFidelity_h
+#define itkDelaunayRefinementFidelity_h
+
+#include "itkDelaunayRefinementComplex.h"
+#include "itkDelaunayRefinementTriangleGrid.h"
+
+namespace itk
+{
+/** \class DelaunayRefinementFidelity
+ * \brief Where the facets that part regions, and the surface, are farther from each other than a bound.
+ *
+ * Certified, not sampled: balls around pieces of either that together cover it are asked for their distance to the
+ * other, and pieces for which the answer is not clear are split. What was certified is kept as long as the facets are
+ * there that it was certified by.
+ *
+ * \ingroup DelaunayRefinement
+ */
+class DelaunayRefinementFidelity
+{
+public:
+  using PointType = DelaunayRefinementPoint;
+  using IndexType = DelaunayRefinementComplex::IndexType;
+  using DistanceType = DelaunayRefinementDistance;
+
+  DelaunayRefinementFidelity(const DelaunayRefinementOracle &  oracle,
+                             const DelaunayRefinementComplex & complex,
+                             DelaunayRefinementThreads &       threads,
+                             double                            bound);
+
+  /** A ball around what is too far. */
+  struct PlaceType
+  {
+    PointType center;
+    double    radius;
+  };
+
+  /** Points of the surface that are too far from the facets, and facets with points too far from the surface; none if
+   * all are certified to be nearer than the bound. Points count as too far beyond 9/10 of it. */
+  std::vector<PlaceType>
+  FindFarPlaces();
+
+  /** After FindFarPlaces(): the greatest distances from the facets to the surface, and from there to the facets. Each
+   * is that of its place; no other is greater by more than 2 % of the bound. */
+  DistanceType
+  MeasureFromFacets() const;
+  DistanceType
+  MeasureFromSurface() const;
+
+private:
+  using PatchType = DelaunayRefinementSurfacePatches::PatchType;
+  using TriangleType = DelaunayRefinementTriangleGrid::TriangleType;
+
+  /** A facet that parts regions, or did. */
+  struct FacetType
+  {
+    IndexType     cell{ DelaunayRefinementComplex::None };
+    std::uint32_t generation{ 0 };
+    std::uint32_t slot{ 0 };
+  };
+
+  /** A piece of the surface with a facet that is near enough, if there is one. */
+  struct CertifiedType
+  {
+    PatchType patch;
+    FacetType facet;
+  };
+
+  /** What one of several threads found. */
+  struct PartType
+  {
+    std::vector<CertifiedType> pieces{};
+    std::vector<PlaceType>     places{};
+  };
+
+  bool
+  PartsRegions(const FacetType & facet) const;
+
+  TriangleType
+  GetTriangle(const FacetType & facet) const;
+
+  void
+  FindFacets();
+
+  void
+  CertifySurface(std::vector<PlaceType> & places);
+  void
+  CertifyPatch(const PatchType & patch, PartType & part) const;
+
+  void
+  CertifyFacets(std::vector<PlaceType> & places);
+
+  /** False if a point of the triangle is too far from the surface; that is \c far then. */
+  bool
+  IsNearSurface(const TriangleType & triangle, PointType & far) const;
+
+  const DelaunayRefinementOracle &       m_Oracle;
+  const DelaunayRefinementComplex &      m_Complex;
+  DelaunayRefinementThreads &            m_Threads;
+  double                                 m_Bound;
+  std::vector<FacetType>                 m_Facets{};
+  DelaunayRefinementTriangleGrid         m_Grid{}; // of the facets, with their numbers
+  std::vector<CertifiedType>             m_Pieces{};
+  DelaunayRefinementArray<std::uint32_t> m_CertifiedFacets{}; // generation of the cell, four for each
+};
+} // end namespace itk
+
+#endif

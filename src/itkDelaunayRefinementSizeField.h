@@ -1,0 +1,97 @@
+/*=========================================================================
+ *
+ *  Copyright The DelaunayRefinement Contributors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkDelaunayRefinementSizeField_h
+#define itkDelaunayRefinementSizeField_h
+
+#include "itkDelaunayRefinementOracle.h"
+
+namespace itk
+{
+/** \class DelaunayRefinementSizeField
+ * \brief A size that varies in space: one for each of the cubes that fill a box, growing slowly from cube to cube.
+ *
+ * \ingroup DelaunayRefinement
+ */
+class DelaunayRefinementSizeField
+{
+public:
+  using PointType = DelaunayRefinementPoint;
+  using BoundsType = DelaunayRefinementOracle::BoundsType;
+  using RangeType = DelaunayRefinementOracle::RangeType;
+
+  /** The same size everywhere. Cubes are larger than asked for if there would be too many. */
+  void
+  Start(const BoundsType & bounds, double cubeSize, double size);
+
+  bool
+  IsStarted() const
+  {
+    return !m_Sizes.empty();
+  }
+
+  /** Sizes are at most this much larger at one point than at another, for each unit of their distance. */
+  static constexpr double Growth = 0.5;
+
+  /** Lowers the size within \c radius of a point, and around as far as it would grow too fast. */
+  void
+  Lower(const PointType & point, double radius, double size);
+
+  double
+  GetAt(const PointType & point) const
+  {
+    return m_Sizes[this->ToOffset(this->ToCube(point, 0.0))];
+  }
+
+  /** Bounds on the size within \c radius of a point. */
+  RangeType
+  GetRange(const PointType & point, double radius) const;
+
+private:
+  using CubeType = std::array<std::int32_t, 3>;
+
+  /** Points beyond the box belong to the cubes at its border. */
+  CubeType
+  ToCube(const PointType & point, double offset) const
+  {
+    CubeType cube;
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      const double index = (point[i] + offset - m_Minimum[i]) / m_CubeSize;
+      cube[i] = index > 0.0 ? index < m_Length[i] ? static_cast<std::int32_t>(index) : m_Length[i] - 1 : 0;
+    }
+    return cube;
+  }
+
+  std::size_t
+  ToOffset(const CubeType & cube) const
+  {
+    return (static_cast<std::size_t>(cube[2]) * m_Length[1] + cube[1]) * m_Length[0] + cube[0];
+  }
+
+  double
+  ComputeDistance(const PointType & point, const CubeType & cube) const;
+
+  PointType             m_Minimum{};
+  double                m_CubeSize{ 1.0 };
+  CubeType              m_Length{};
+  std::vector<float>    m_Sizes{};
+  std::vector<CubeType> m_Queue{};
+};
+} // end namespace itk
+
+#endif

@@ -1,0 +1,207 @@
+/*=========================================================================
+ *
+ *  Copyright The DelaunayRefinement Contributors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkDelaunayRefinementTriangleGrid.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace itk
+{
+namespace
+{
+using Geometry = DelaunayRefinementGeometry;
+using PointType = DelaunayRefinementPoint;
+
+/** Cubes for each triangle, at most about. */
+constexpr double MostCubes = 8.0;
+
+double
+ComputeSquaredDistanceToSegment(const PointType & point, const PointType & a, const PointType & b)
+{
+  const PointType along = Geometry::Subtract(b, a);
+  const double    length = Geometry::Dot(along, along);
+  const double    share = length > 0.0 ? Geometry::Dot(Geometry::Subtract(point, a), along) / length : 0.0;
+  return Geometry::SquaredDistance(point, Geometry::AddScaled(a, std::clamp(share, 0.0, 1.0), along));
+}
+
+double
+ComputeSquaredDistance(const PointType & point, const DelaunayRefinementTriangleGrid::TriangleType & triangle)
+{
+  const auto & [a, b, c] = triangle;
+  const PointType normal = Geometry::Cross(Geometry::Subtract(b, a), Geometry::Subtract(c, a));
+  const auto      isInside = [&](const PointType & from, const PointType & to) {
+    return Geometry::Dot(Geometry::Cross(Geometry::Subtract(to, from), Geometry::Subtract(point, from)), normal) >= 0.0;
+  };
+  if (isInside(a, b) && isInside(b, c) && isInside(c, a))
+  {
+    const double height = Geometry::Dot(Geometry::Subtract(point, a), normal);
+    return height * height / Geometry::Dot(normal, normal);
+  }
+  return std::min({ ComputeSquaredDistanceToSegment(point, a, b),
+                    ComputeSquaredDistanceToSegment(point, b, c),
+                    ComputeSquaredDistanceToSegment(point, c, a) });
+}
+} // namespace
+
+DelaunayRefinementTriangleGrid::CubeType
+DelaunayRefinementTriangleGrid::ToCube(const PointType & point) const
+{
+  CubeType cube;
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    const double index = (point[i] - m_Minimum[i]) / m_CubeSize;
+    cube[i] = index > 0.0 ? index < m_Length[i] ? static_cast<std::int32_t>(index) : m_Length[i] - 1 : 0;
+  }
+  return cube;
+}
+
+template <typename TAction>
+void
+DelaunayRefinementTriangleGrid::ForEachCube(const TriangleType & triangle, const TAction & action) const
+{
+  PointType minimum = triangle[0];
+  PointType maximum = triangle[0];
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    minimum[i] = std::min({ triangle[0][i], triangle[1][i], triangle[2][i] });
+    maximum[i] = std::max({ triangle[0][i], triangle[1][i], triangle[2][i] });
+  }
+  const CubeType first = this->ToCube(minimum);
+  const CubeType last = this->ToCube(maximum);
+  for (std::int32_t z = first[2]; z <= last[2]; ++z)
+  {
+    for (std::int32_t y = first[1]; y <= last[1]; ++y)
+    {
+      for (std::int32_t x = first[0]; x <= last[0]; ++x)
+      {
+        action(this->ToOffset(x, y, z));
+      }
+    }
+  }
+}
+
+void
+DelaunayRefinementTriangleGrid::Start(std::vector<TriangleType> triangles)
+{
+  m_Triangles = std::move(triangles);
+  m_Numbers.clear();
+  m_Length = {};
+  if (m_Triangles.empty())
+  {
+    return;
+  }
+  m_Minimum = m_Triangles.front().front();
+  PointType maximum = m_Minimum;
+  double    sumOfEdges = 0.0;
+  for (const TriangleType & triangle : m_Triangles)
+  {
+    for (const PointType & point : triangle)
+    {
+      for (unsigned int i = 0; i < 3; ++i)
+      {
+        m_Minimum[i] = std::min(m_Minimum[i], point[i]);
+        maximum[i] = std::max(maximum[i], point[i]);
+      }
+    }
+    sumOfEdges += Geometry::Distance(triangle[0], triangle[1]);
+  }
+  const PointType size = Geometry::Subtract(maximum, m_Minimum);
+  const double    mean = sumOfEdges / static_cast<double>(m_Triangles.size());
+  const double    volume = (size[0] + mean) * (size[1] + mean) * (size[2] + mean);
+  m_CubeSize = std::max(mean, std::cbrt(volume / (MostCubes * static_cast<double>(m_Triangles.size()))));
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    m_Length[i] = static_cast<std::int32_t>(size[i] / m_CubeSize) + 1;
+  }
+  m_Ends.assign(static_cast<std::size_t>(m_Length[0]) * m_Length[1] * m_Length[2] + 1, 0);
+  for (const TriangleType & triangle : m_Triangles)
+  {
+    this->ForEachCube(triangle, [this](std::size_t cube) { ++m_Ends[cube + 1]; });
+  }
+  std::partial_sum(m_Ends.begin(), m_Ends.end(), m_Ends.begin());
+  m_Numbers.resize(m_Ends.back());
+  std::vector<std::uint32_t> next(m_Ends.begin(), m_Ends.end() - 1);
+  for (std::uint32_t number = 0; number < m_Triangles.size(); ++number)
+  {
+    this->ForEachCube(m_Triangles[number], [&](std::size_t cube) { m_Numbers[next[cube]++] = number; });
+  }
+}
+
+DelaunayRefinementTriangleGrid::NearType
+DelaunayRefinementTriangleGrid::Find(const PointType & point, double enough, double reach) const
+{
+  NearType nearest;
+  if (m_Triangles.empty())
+  {
+    return nearest;
+  }
+  const double   squaredEnough = enough > 0.0 ? enough * enough : -1.0;
+  const CubeType middle = this->ToCube(point);
+  double         squared = reach * reach;
+  const auto     visit = [&](std::int32_t x, std::int32_t y, std::int32_t z) {
+    const std::size_t cube = this->ToOffset(x, y, z);
+    for (std::uint32_t i = m_Ends[cube]; i < m_Ends[cube + 1]; ++i)
+    {
+      const double own = ComputeSquaredDistance(point, m_Triangles[m_Numbers[i]]);
+      if (own <= squared)
+      {
+        squared = own;
+        nearest.number = m_Numbers[i];
+      }
+    }
+  };
+  const std::int32_t mostRings = std::max({ m_Length[0], m_Length[1], m_Length[2] });
+  for (std::int32_t ring = 0; ring <= mostRings && squared > squaredEnough; ++ring)
+  {
+    // What is left lies beyond the cubes of the rings before.
+    double isBeyond = std::numeric_limits<double>::infinity();
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      const double low = m_Minimum[i] + (middle[i] - ring + 1) * m_CubeSize;
+      const double high = m_Minimum[i] + (middle[i] + ring) * m_CubeSize;
+      isBeyond = std::min({ isBeyond,
+                            middle[i] - ring >= 0 ? point[i] - low : isBeyond,
+                            middle[i] + ring < m_Length[i] ? high - point[i] : isBeyond });
+    }
+    if (ring > 0 && isBeyond > 0.0 && isBeyond * isBeyond > squared)
+    {
+      break;
+    }
+    for (std::int32_t z = std::max(0, middle[2] - ring); z <= std::min(m_Length[2] - 1, middle[2] + ring); ++z)
+    {
+      for (std::int32_t y = std::max(0, middle[1] - ring); y <= std::min(m_Length[1] - 1, middle[1] + ring); ++y)
+      {
+        const bool         isFace = std::max(std::abs(z - middle[2]), std::abs(y - middle[1])) == ring;
+        const std::int32_t step = isFace || ring == 0 ? 1 : 2 * ring;
+        for (std::int32_t x = middle[0] - ring; x <= middle[0] + ring; x += step)
+        {
+          if (x >= 0 && x < m_Length[0])
+          {
+            visit(x, y, z);
+          }
+        }
+      }
+    }
+  }
+  if (nearest.number != None)
+  {
+    nearest.distance = std::sqrt(squared);
+  }
+  return nearest;
+}
+} // end namespace itk
