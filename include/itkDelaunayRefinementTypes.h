@@ -147,7 +147,7 @@ struct DelaunayRefinementStatistics
   std::size_t nonManifoldVertices{ 0 };
 
   /** From the mesh's boundary, interfaces included, to the surface; measured if there is a bound, and then certified:
-   * no point is farther by more than 2 % of the bound. */
+   * no point is farther by more than a tenth of the bound. */
   DelaunayRefinementDistance meshToSurface{};
 
   /** From the surface to the mesh's boundary; the same. */

@@ -32,10 +32,10 @@ using TriangleType = DelaunayRefinementTriangleGrid::TriangleType;
 constexpr double FarShare = 0.9;
 
 /** Pieces with a radius below this share of the bound are asked for a point of their own. */
-constexpr double SmallShare = 0.05;
+constexpr double SmallShare = 0.5;
 
 /** How well distances are measured, over the bound. */
-constexpr double ToleranceShare = 0.02;
+constexpr double ToleranceShare = 0.1;
 
 constexpr std::size_t PiecesAtATime = 1024;
 
@@ -59,6 +59,16 @@ FindBall(const TriangleType & triangle)
     ball.radius = std::max(ball.radius, Geometry::Distance(ball.center, point));
   }
   return ball;
+}
+
+/** No point of a triangle is farther from the nearest vertex: for acute ones that is the circumradius at most. */
+double
+GetReachOfVertices(const TriangleType & triangle)
+{
+  constexpr double ofLongest = 0.57735026918962577;
+  return ofLongest * std::max({ Geometry::Distance(triangle[0], triangle[1]),
+                                Geometry::Distance(triangle[1], triangle[2]),
+                                Geometry::Distance(triangle[2], triangle[0]) });
 }
 
 std::array<TriangleType, 4>
@@ -220,7 +230,9 @@ DelaunayRefinementFidelity::CertifyFacets(std::vector<PlaceType> & places)
         {
           continue;
         }
-        if (this->IsNearSurface(m_Grid.GetTriangles()[i], far))
+        // Vertices are on the surface.
+        if (GetReachOfVertices(m_Grid.GetTriangles()[i]) < m_Bound ||
+            this->IsNearSurface(m_Grid.GetTriangles()[i], far))
         {
           certified = facet.generation;
           continue;
@@ -272,37 +284,39 @@ DelaunayRefinementFidelity::MeasureFromFacets() const
       return most < other.most;
     }
   };
-  DistanceType                   greatest{ 0.0, {} };
+  // Vertices are on the surface.
   std::priority_queue<PieceType> queue;
-  const auto                     push = [&](const TriangleType & triangle, double most) {
-    const BallType ball = FindBall(triangle);
-    PointType      closest;
-    const double   enough = greatest.distance + ToleranceShare * m_Bound - ball.radius;
-    if (enough > 0.0 && m_Oracle.IsSurfaceWithin(ball.center, enough))
-    {
-      return;
-    }
-    const double distance =
-      m_Oracle.FindClosestSurfacePoint(ball.center, most, closest) ? Geometry::Distance(ball.center, closest) : most;
-    if (distance > greatest.distance)
-    {
-      greatest = { distance, ball.center };
-    }
-    queue.push({ std::min(most, distance + ball.radius), triangle });
-  };
-  const auto   bounds = m_Oracle.GetSurfaceBounds();
-  const double whole = 2.0 * Geometry::Distance(bounds.minimum, bounds.maximum);
   for (const TriangleType & triangle : m_Grid.GetTriangles())
   {
-    push(triangle, whole);
+    queue.push({ GetReachOfVertices(triangle), triangle });
   }
-  while (!queue.empty() && queue.top().most > greatest.distance + ToleranceShare * m_Bound)
+  DistanceType greatest{ 0.0, {} };
+  const double tolerance = ToleranceShare * m_Bound;
+  while (!queue.empty() && queue.top().most > greatest.distance + tolerance)
   {
     const PieceType piece = queue.top();
+    const BallType  ball = FindBall(piece.triangle);
+    const double    enough = greatest.distance + tolerance - ball.radius;
     queue.pop();
+    if (enough > 0.0 && m_Oracle.IsSurfaceWithin(ball.center, enough))
+    {
+      continue;
+    }
+    // Well enough known by some questions: the closest point would take far longer.
+    double low = std::max(enough, 0.0);
+    double high = piece.most;
+    while (high - low > 0.25 * tolerance)
+    {
+      const double middle = 0.5 * (low + high);
+      (m_Oracle.IsSurfaceWithin(ball.center, middle) ? high : low) = middle;
+    }
+    if (low > greatest.distance)
+    {
+      greatest = { low, ball.center };
+    }
     for (const TriangleType & part : Split(piece.triangle))
     {
-      push(part, piece.most);
+      queue.push({ std::min(piece.most, high + ball.radius), part });
     }
   }
   return greatest;

@@ -57,7 +57,7 @@ public:
   FindFarPlaces();
 
   /** After FindFarPlaces(): the greatest distances from the facets to the surface, and from there to the facets. Each
-   * is that of its place; no other is greater by more than 2 % of the bound. */
+   * is that of its place; no other is greater by more than a tenth of the bound. */
   DistanceType
   MeasureFromFacets() const;
   DistanceType

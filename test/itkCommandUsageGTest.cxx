@@ -133,12 +133,29 @@ TEST_F(CommandUsage, ShowsHelpAndVersion)
   const CommandRun help = RunCommand({ "--help" });
   ExpectSuccess(help);
   EXPECT_EQ(help.messages, "");
-  for (const char * option : { "--iso-value",     "--threshold",    "--labels",        "--merge-labels",
-                               "--delta",         "--cell-size",    "--min-dihedral",  "--radius-edge-bound",
-                               "--max-vertices",  "--interpolator", "--min-component", "--largest-component",
-                               "--surface",       "--report",       "--threads",       "--quiet",
-                               "--version",       "--help",         "IMAGE",           "OUTPUT",
-                               "--refine-outside" })
+  for (const char * option : { "--iso-value",
+                               "--threshold",
+                               "--labels",
+                               "--merge-labels",
+                               "--delta",
+                               "--cell-size",
+                               "--min-dihedral",
+                               "--radius-edge-bound",
+                               "--max-vertices",
+                               "--interpolator",
+                               "--min-component",
+                               "--largest-component",
+                               "--surface",
+                               "--report",
+                               "--threads",
+                               "--quiet",
+                               "--version",
+                               "--help",
+                               "IMAGE",
+                               "OUTPUT",
+                               "--refine-outside",
+                               "--hausdorff-bound",
+                               "--allow-non-manifold" })
   {
     EXPECT_NE(help.output.find(option), std::string::npos) << option;
   }

@@ -68,6 +68,8 @@ TEST(DelaunayRefinementMeshFilter, Defaults)
   EXPECT_EQ(filter->GetCellSize(), std::numeric_limits<double>::infinity());
   EXPECT_EQ(filter->GetMinimumDihedralAngle(), 0.0);
   EXPECT_FALSE(filter->GetRefineOutside());
+  EXPECT_TRUE(filter->GetManifold());
+  EXPECT_EQ(filter->GetHausdorffBound(), 0.0);
   EXPECT_EQ(filter->GetMaximumNumberOfVertices(), itk::NumericTraits<itk::SizeValueType>::max());
   EXPECT_TRUE(filter->GetLabels().empty());
   EXPECT_EQ(filter->GetLowerThreshold(), -std::numeric_limits<double>::infinity());
@@ -137,6 +139,8 @@ TEST(DelaunayRefinementMeshFilter, SettersModifyOnlyWhenTheyChange)
   expectModified([&] { filter->SetLabels({ 1, 2 }); });
   expectModified([&] { filter->SetCellSize(4.0); });
   expectModified([&] { filter->RefineOutsideOn(); });
+  expectModified([&] { filter->ManifoldOff(); });
+  expectModified([&] { filter->SetHausdorffBound(1.0); });
   expectModified([&] { filter->SetMergeLabels(true); });
 }
 

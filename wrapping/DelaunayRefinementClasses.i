@@ -134,6 +134,11 @@ radius_edge_ratio_bound : float, default: 2.0, at least 1
     leave the surface.
 minimum_dihedral_angle : float, degrees, default: 0.0 (off), below 60
     Tetrahedra with smaller dihedral angles are split as far as edges allow.
+manifold : bool, default: True
+    The boundary, and that of each label, is made a 2-manifold.
+hausdorff_bound : float, mm, default: 0.0 (off)
+    Upper bound on the distance between the boundary and the surface in the
+    image, both ways; delta is lowered where that takes it.
 refine_outside : bool, default: False
     Rule R2 of the paper outside the object too; no guarantee needs it, and it
     takes twice as long.

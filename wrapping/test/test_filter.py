@@ -15,6 +15,8 @@ PARAMETERS = {
     "cell_size": ("CellSize", 4.0),
     "radius_edge_ratio_bound": ("RadiusEdgeRatioBound", 2.5),
     "minimum_dihedral_angle": ("MinimumDihedralAngle", 8.0),
+    "manifold": ("Manifold", False),
+    "hausdorff_bound": ("HausdorffBound", 1.5),
     "refine_outside": ("RefineOutside", True),
     "maximum_number_of_vertices": ("MaximumNumberOfVertices", 100000),
     "iso_value": ("IsoValue", 0.5),
