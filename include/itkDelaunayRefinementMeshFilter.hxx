@@ -263,8 +263,10 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::LeaveOutNegligibleCompon
     if (oracle.HasVolume(m_Components[i]))
     {
       withVolume.push_back(i);
-      // Small ones of several labels may have others around them, and leave no hole there.
-      if (m_RegionLabels.size() > 1 || !oracle.IsNegligible(m_Components[i], this->GetDeltaOf(m_Components[i])))
+      // Small ones of several labels may have others around them, and leave no hole there. A bound on the distance
+      // holds for all.
+      if (m_RegionLabels.size() > 1 || m_HausdorffBound > 0.0 ||
+          !oracle.IsNegligible(m_Components[i], this->GetDeltaOf(m_Components[i])))
       {
         kept.push_back(i);
       }

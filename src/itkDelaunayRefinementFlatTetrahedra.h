@@ -27,7 +27,8 @@ namespace itk
 {
 /** Whether a tetrahedron is too flat to be stored. */
 bool
-IsFlatDelaunayRefinementTetrahedron(const DelaunayRefinementComplex & complex, DelaunayRefinementComplex::IndexType cell);
+IsFlatDelaunayRefinementTetrahedron(const DelaunayRefinementComplex &    complex,
+                                    DelaunayRefinementComplex::IndexType cell);
 
 /** A vertex of each tetrahedron of the mesh that is too flat to be stored, a free one if it has one; ascending. */
 std::vector<DelaunayRefinementComplex::IndexType>

@@ -73,7 +73,8 @@ public:
   FindParts(std::vector<std::vector<std::uint32_t>> & parts);
 
 private:
-  /** Numbers in the order in which indexes come first; a table of hashes, as stars have some tens of cells. */
+  /** \class NumberingType
+   * \brief Numbers in the order in which indexes come first; a table of hashes, as stars have some tens of cells. */
   class NumberingType
   {
   public:

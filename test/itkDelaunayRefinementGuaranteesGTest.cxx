@@ -66,10 +66,13 @@ operator<<(std::ostream & out, const HarshCase & value)
 class HarshShapes : public ::testing::TestWithParam<HarshCase>
 {};
 
-/** The circumcenter of each tetrahedron is in its region (paper, section III: what the output is). */
+/** The circumcenter of each tetrahedron is in its region (paper, section III: what the output is), but for those that
+ * came in to make the boundary a manifold. */
 void
-ExpectCircumcentersInside(const itk::DelaunayRefinementResult & result, const AnalyticOracle & oracle)
+ExpectCircumcentersInside(const EngineRun & run, const AnalyticOracle & oracle)
 {
+  const itk::DelaunayRefinementResult & result = run.result;
+  std::size_t                           numberOutside = 0;
   for (std::size_t i = 0; i < result.tetrahedra.size(); ++i)
   {
     const auto &       t = result.tetrahedra[i];
@@ -78,9 +81,10 @@ ExpectCircumcentersInside(const itk::DelaunayRefinementResult & result, const An
     const PointType    center{ p[0] + static_cast<double>(sphere.center[0]),
                             p[1] + static_cast<double>(sphere.center[1]),
                             p[2] + static_cast<double>(sphere.center[2]) };
-    EXPECT_LE(oracle.ComputeSignedDistance(center), 1e-6);
+    numberOutside += oracle.ComputeSignedDistance(center) > 1e-6 ? 1 : 0;
     EXPECT_EQ(result.regions[i], 1u);
   }
+  EXPECT_LE(numberOutside, run.statistics.changedTetrahedra);
 }
 
 /** Rule R3: from inside, the dual of each boundary facet crosses the surface within delta of the facet's vertices. */
@@ -124,7 +128,8 @@ TEST_P(SmoothShapes, KeepAllGuarantees)
     ExpectGuarantees(mesh);
     ExpectManifoldBoundary(mesh);
     ExpectTopology(mesh, shape.topology);
-    ExpectCircumcentersInside(run.result, oracle);
+    EXPECT_EQ(run.statistics.changedTetrahedra, 0u);
+    ExpectCircumcentersInside(run, oracle);
     ExpectSmallSurfaceBalls(mesh, oracle, delta);
     EXPECT_LT(ComputeCoverage(oracle, run.result, delta / 4.0), delta);
     EXPECT_GT(ComputeShortestEdge(run.result), 0.979 * delta);
@@ -197,7 +202,8 @@ TEST_P(HarshShapes, KeepValidityAndQuality)
     ASSERT_NO_FATAL_FAILURE(ExpectCompleted(run));
     const CheckedMesh mesh = MakeCheckedMesh(run.result);
     ExpectGuarantees(mesh);
-    ExpectCircumcentersInside(run.result, oracle);
+    ExpectManifoldBoundary(mesh);
+    ExpectCircumcentersInside(run, oracle);
     EXPECT_LT(ComputeMaximumDistance(SampleBoundary(mesh, shape.delta / 4.0),
                                      [&](const PointType & p) { return std::abs(oracle.ComputeSignedDistance(p)); }),
               shape.delta);
