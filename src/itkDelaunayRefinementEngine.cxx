@@ -816,7 +816,7 @@ DelaunayRefinementEngine::Impl::ImproveFidelity()
     const double lowered = std::max(DeltaStep * deltas[i], LeastDeltaShare * bound);
     if (lowered < (1.0 - SmallestStep) * m_LocalDelta.GetAt(places[i].center))
     {
-      m_LocalDelta.LowerAround(places[i].center, places[i].radius + deltas[i], lowered, ResolutionShare * bound);
+      m_LocalDelta.LowerAround(places[i].center, places[i].radius + 0.5 * deltas[i], lowered, ResolutionShare * bound);
       isLowered = true;
     }
   }
@@ -826,6 +826,7 @@ DelaunayRefinementEngine::Impl::ImproveFidelity()
     m_Statistics.surfaceToMesh = m_Fidelity->MeasureFromSurface();
     return false;
   }
+  m_LocalDelta.Grade();
   ++m_NumberOfFidelityRounds;
   m_Repair->Undo();
   m_IsSampleOpen = true;

@@ -34,6 +34,9 @@ constexpr double FarShare = 0.9;
 /** Pieces with a radius below this share of the bound are asked for a point of their own. */
 constexpr double SmallShare = 0.5;
 
+/** Pieces with a radius below this share of the bound are split only where larger ones are nowhere too far. */
+constexpr double CoarseShare = 0.25;
+
 /** How well distances are measured, over the bound. */
 constexpr double ToleranceShare = 0.1;
 
@@ -109,8 +112,14 @@ DelaunayRefinementFidelity::FindFarPlaces()
 {
   std::vector<PlaceType> places;
   this->FindFacets();
-  this->CertifySurface(places);
-  this->CertifyFacets(places);
+  for (const double smallest : { CoarseShare * m_Bound, 0.0 })
+  {
+    if (places.empty())
+    {
+      this->CertifySurface(smallest, places);
+      this->CertifyFacets(smallest, places);
+    }
+  }
   return places;
 }
 
@@ -154,7 +163,7 @@ DelaunayRefinementFidelity::FindFacets()
 }
 
 void
-DelaunayRefinementFidelity::CertifySurface(std::vector<PlaceType> & places)
+DelaunayRefinementFidelity::CertifySurface(double smallest, std::vector<PlaceType> & places)
 {
   using Threads = DelaunayRefinementThreads;
   std::vector<PartType> parts(Threads::CountPieces(m_Pieces.size(), PiecesAtATime));
@@ -168,7 +177,7 @@ DelaunayRefinementFidelity::CertifySurface(std::vector<PlaceType> & places)
         }
         else
         {
-          this->CertifyPatch(m_Pieces[i].patch, parts[number]);
+          this->CertifyPatch(m_Pieces[i].patch, smallest, parts[number]);
         }
       }
     });
@@ -181,7 +190,7 @@ DelaunayRefinementFidelity::CertifySurface(std::vector<PlaceType> & places)
 }
 
 void
-DelaunayRefinementFidelity::CertifyPatch(const PatchType & patch, PartType & part) const
+DelaunayRefinementFidelity::CertifyPatch(const PatchType & patch, double smallest, PartType & part) const
 {
   const double room = m_Bound - patch.radius;
   const double far = FarShare * m_Bound;
@@ -205,16 +214,21 @@ DelaunayRefinementFidelity::CertifyPatch(const PatchType & patch, PartType & par
       return;
     }
   }
+  if (patch.radius < smallest)
+  {
+    part.pieces.push_back({ patch, {} });
+    return;
+  }
   DelaunayRefinementSurfacePatches parts(patch.center);
   m_Oracle.SplitSurfacePatch(patch.identifier, parts);
   for (std::size_t i = 0; i < parts.GetSize(); ++i)
   {
-    this->CertifyPatch(parts.Get(i), part);
+    this->CertifyPatch(parts.Get(i), smallest, part);
   }
 }
 
 void
-DelaunayRefinementFidelity::CertifyFacets(std::vector<PlaceType> & places)
+DelaunayRefinementFidelity::CertifyFacets(double smallest, std::vector<PlaceType> & places)
 {
   using Threads = DelaunayRefinementThreads;
   m_CertifiedFacets.resize(4 * std::size_t{ m_Complex.GetTriangulation().GetNumberOfCellIndexes() }, 0);
@@ -223,26 +237,30 @@ DelaunayRefinementFidelity::CertifyFacets(std::vector<PlaceType> & places)
     &m_Threads, m_Facets.size(), PiecesAtATime, [&](std::size_t number, std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
       {
-        const FacetType & facet = m_Facets[i];
-        std::uint32_t &   certified = m_CertifiedFacets[4 * std::size_t{ facet.cell } + facet.slot];
-        PointType         far;
+        const FacetType &    facet = m_Facets[i];
+        const TriangleType & triangle = m_Grid.GetTriangles()[i];
+        std::uint32_t &      certified = m_CertifiedFacets[4 * std::size_t{ facet.cell } + facet.slot];
         if (certified == facet.generation)
         {
           continue;
         }
         // Vertices are on the surface.
-        if (GetReachOfVertices(m_Grid.GetTriangles()[i]) < m_Bound ||
-            this->IsNearSurface(m_Grid.GetTriangles()[i], far))
+        PlaceType        place{ {}, 0.0 };
+        const AnswerEnum answer = GetReachOfVertices(triangle) < m_Bound
+                                    ? AnswerEnum::CERTIFIED
+                                    : this->CertifyTriangle(triangle, smallest, place.center);
+        if (answer == AnswerEnum::CERTIFIED)
         {
           certified = facet.generation;
-          continue;
         }
-        PlaceType place{ far, 0.0 };
-        for (const PointType & vertex : m_Grid.GetTriangles()[i])
+        else if (answer == AnswerEnum::TOO_FAR)
         {
-          place.radius = std::max(place.radius, Geometry::Distance(vertex, far));
+          for (const PointType & vertex : triangle)
+          {
+            place.radius = std::max(place.radius, Geometry::Distance(vertex, place.center));
+          }
+          found[number].push_back(place);
         }
-        found[number].push_back(place);
       }
     });
   for (const auto & some : found)
@@ -251,22 +269,34 @@ DelaunayRefinementFidelity::CertifyFacets(std::vector<PlaceType> & places)
   }
 }
 
-bool
-DelaunayRefinementFidelity::IsNearSurface(const TriangleType & triangle, PointType & far) const
+DelaunayRefinementFidelity::AnswerEnum
+DelaunayRefinementFidelity::CertifyTriangle(const TriangleType & triangle, double smallest, PointType & place) const
 {
   const BallType ball = FindBall(triangle);
   if (ball.radius < m_Bound && m_Oracle.IsSurfaceWithin(ball.center, m_Bound - ball.radius))
   {
-    return true;
+    return AnswerEnum::CERTIFIED;
   }
   if (!m_Oracle.IsSurfaceWithin(ball.center, FarShare * m_Bound))
   {
-    far = ball.center;
-    return false;
+    place = ball.center;
+    return AnswerEnum::TOO_FAR;
   }
-  const auto parts = Split(triangle);
-  return std::all_of(
-    parts.begin(), parts.end(), [&](const TriangleType & part) { return this->IsNearSurface(part, far); });
+  if (ball.radius < smallest)
+  {
+    return AnswerEnum::OPEN;
+  }
+  AnswerEnum answer = AnswerEnum::CERTIFIED;
+  for (const TriangleType & part : Split(triangle))
+  {
+    const AnswerEnum own = this->CertifyTriangle(part, smallest, place);
+    if (own == AnswerEnum::TOO_FAR)
+    {
+      return own;
+    }
+    answer = own == AnswerEnum::OPEN ? own : answer;
+  }
+  return answer;
 }
 
 DelaunayRefinementFidelity::DistanceType
@@ -300,6 +330,14 @@ DelaunayRefinementFidelity::MeasureFromFacets() const
     queue.pop();
     if (enough > 0.0 && m_Oracle.IsSurfaceWithin(ball.center, enough))
     {
+      continue;
+    }
+    if (ball.radius > tolerance)
+    {
+      for (const TriangleType & part : Split(piece.triangle))
+      {
+        queue.push({ piece.most, part });
+      }
       continue;
     }
     // Well enough known by some questions: the closest point would take far longer.

@@ -52,7 +52,8 @@ public:
   };
 
   /** Points of the surface that are too far from the facets, and facets with points too far from the surface; none if
-   * all are certified to be nearer than the bound. Points count as too far beyond 9/10 of it. */
+   * all are certified to be nearer than the bound. Points count as too far beyond 9/10 of it. Not all such places are
+   * listed: small pieces are asked only if larger ones show none. */
   std::vector<PlaceType>
   FindFarPlaces();
 
@@ -98,17 +99,24 @@ private:
   void
   FindFacets();
 
-  void
-  CertifySurface(std::vector<PlaceType> & places);
-  void
-  CertifyPatch(const PatchType & patch, PartType & part) const;
+  enum class AnswerEnum : uint8_t
+  {
+    CERTIFIED,
+    TOO_FAR,
+    OPEN // pieces would have to be smaller
+  };
 
+  /** Certify what they can without splitting pieces of a radius below \c smallest. */
   void
-  CertifyFacets(std::vector<PlaceType> & places);
+  CertifySurface(double smallest, std::vector<PlaceType> & places);
+  void
+  CertifyPatch(const PatchType & patch, double smallest, PartType & part) const;
+  void
+  CertifyFacets(double smallest, std::vector<PlaceType> & places);
 
-  /** False if a point of the triangle is too far from the surface; that is \c far then. */
-  bool
-  IsNearSurface(const TriangleType & triangle, PointType & far) const;
+  /** Whether all points of a triangle are near the surface; \c place is one of them if that is too far. */
+  AnswerEnum
+  CertifyTriangle(const TriangleType & triangle, double smallest, PointType & place) const;
 
   const DelaunayRefinementOracle &       m_Oracle;
   const DelaunayRefinementComplex &      m_Complex;

@@ -77,10 +77,17 @@ public:
   void
   Lower(ComponentType component, double delta);
 
-  /** Lowers delta within \c radius of a point, and around so that it changes slowly. The first call says in which steps
-   * of space: \c resolution. */
+  /** Lowers delta within \c radius of a point. The first call says in which steps of space delta varies: \c resolution.
+   */
   void
   LowerAround(const PointType & point, double radius, double delta, double resolution);
+
+  /** After LowerAround(): lowers delta around, so that it changes slowly. */
+  void
+  Grade()
+  {
+    m_Field.Grade();
+  }
 
   /** The components with a lower delta, and their deltas, by component. */
   std::vector<std::pair<ComponentType, double>>

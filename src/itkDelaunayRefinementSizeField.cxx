@@ -24,7 +24,7 @@ namespace itk
 {
 namespace
 {
-constexpr double MostCubes = 1e7;
+constexpr double MostCubes = 4e6;
 } // namespace
 
 void
@@ -60,35 +60,71 @@ DelaunayRefinementSizeField::ComputeDistance(const PointType & point, const Cube
 void
 DelaunayRefinementSizeField::Lower(const PointType & point, double radius, double size)
 {
-  // A relative step that is too small to go on for.
-  constexpr double step = 1e-3;
-  const auto       lower = [&](const CubeType & cube) {
-    const double lowered = size + Growth * std::max(0.0, this->ComputeDistance(point, cube) - radius);
-    float &      own = m_Sizes[this->ToOffset(cube)];
-    if (lowered < own * (1.0 - step))
-    {
-      own = static_cast<float>(lowered);
-      m_Queue.push_back(cube);
-    }
-  };
-  // From the point outwards, as far as something changes.
-  m_Queue.clear();
-  lower(this->ToCube(point, 0.0));
-  for (std::size_t next = 0; next < m_Queue.size(); ++next)
+  const CubeType first = this->ToCube(point, -radius);
+  const CubeType last = this->ToCube(point, radius);
+  for (std::int32_t z = first[2]; z <= last[2]; ++z)
   {
-    const CubeType cube = m_Queue[next];
-    for (unsigned int axis = 0; axis < 3; ++axis)
+    for (std::int32_t y = first[1]; y <= last[1]; ++y)
     {
-      for (const std::int32_t offset : { -1, 1 })
+      for (std::int32_t x = first[0]; x <= last[0]; ++x)
       {
-        CubeType neighbor = cube;
-        neighbor[axis] += offset;
-        if (neighbor[axis] >= 0 && neighbor[axis] < m_Length[axis])
+        float & own = m_Sizes[this->ToOffset({ x, y, z })];
+        if (size < own && this->ComputeDistance(point, { x, y, z }) <= radius)
         {
-          lower(neighbor);
+          own = static_cast<float>(size);
         }
       }
     }
+  }
+}
+
+void
+DelaunayRefinementSizeField::Grade()
+{
+  // Once in the order of the cubes and once against it, each time from the neighbors that come before.
+  const std::int32_t rows = m_Length[1] * m_Length[2];
+  for (const std::int32_t direction : { 1, -1 })
+  {
+    for (std::int32_t count = 0; count < rows; ++count)
+    {
+      const std::int32_t row = direction > 0 ? count : rows - 1 - count;
+      const std::int32_t y = row % m_Length[1];
+      const std::int32_t z = row / m_Length[1];
+      this->GradeRow(y, z, -direction);
+    }
+  }
+}
+
+void
+DelaunayRefinementSizeField::GradeRow(std::int32_t y, std::int32_t z, std::int32_t before)
+{
+  const float        step = static_cast<float>(Growth * m_CubeSize);
+  const std::int32_t length = m_Length[0];
+  float * const      own = m_Sizes.data() + this->ToOffset({ 0, y, z });
+  const auto         gradeFrom = [&](std::int32_t dy, std::int32_t dz) {
+    if (y + dy < 0 || y + dy >= m_Length[1] || z + dz < 0 || z + dz >= m_Length[2])
+    {
+      return;
+    }
+    const float * const other = m_Sizes.data() + this->ToOffset({ 0, y + dy, z + dz });
+    const auto          across = static_cast<float>(dy * dy + dz * dz);
+    const float         straight = step * std::sqrt(across);
+    const float         diagonal = step * std::sqrt(across + 1.0f);
+    for (std::int32_t x = 0; x < length; ++x)
+    {
+      own[x] = std::min(own[x], other[x] + straight);
+      own[x] = std::min(own[x], other[std::max(x - 1, 0)] + diagonal);
+      own[x] = std::min(own[x], other[std::min(x + 1, length - 1)] + diagonal);
+    }
+  };
+  gradeFrom(-1, before);
+  gradeFrom(0, before);
+  gradeFrom(1, before);
+  gradeFrom(before, 0);
+  for (std::int32_t count = 1; count < length; ++count)
+  {
+    const std::int32_t x = before < 0 ? count : length - 1 - count;
+    own[x] = std::min(own[x], own[x + before] + step);
   }
 }
 

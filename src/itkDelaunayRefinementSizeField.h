@@ -47,9 +47,13 @@ public:
   /** Sizes are at most this much larger at one point than at another, for each unit of their distance. */
   static constexpr double Growth = 0.5;
 
-  /** Lowers the size within \c radius of a point, and around as far as it would grow too fast. */
+  /** Lowers the size within \c radius of a point. */
   void
   Lower(const PointType & point, double radius, double size);
+
+  /** Lowers sizes where they grow too fast, distances being counted along the directions to a cube's 26 neighbors. */
+  void
+  Grade();
 
   double
   GetAt(const PointType & point) const
@@ -83,14 +87,17 @@ private:
     return (static_cast<std::size_t>(cube[2]) * m_Length[1] + cube[1]) * m_Length[0] + cube[0];
   }
 
+  /** From the rows before it in one direction, and along the row. */
+  void
+  GradeRow(std::int32_t y, std::int32_t z, std::int32_t before);
+
   double
   ComputeDistance(const PointType & point, const CubeType & cube) const;
 
-  PointType             m_Minimum{};
-  double                m_CubeSize{ 1.0 };
-  CubeType              m_Length{};
-  std::vector<float>    m_Sizes{};
-  std::vector<CubeType> m_Queue{};
+  PointType          m_Minimum{};
+  double             m_CubeSize{ 1.0 };
+  CubeType           m_Length{};
+  std::vector<float> m_Sizes{};
 };
 } // end namespace itk
 
