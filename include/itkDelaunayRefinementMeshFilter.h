@@ -193,8 +193,9 @@ public:
 
   /** Upper bound, in physical units (mm), on the Hausdorff distance between the boundary of the mesh and the surface in
    * the image, cavities and interfaces between labels included: no point of either is farther from the other. Delta is
-   * lowered where that takes it, and a warning says if it could not be kept. Finite and at least 0, else Update()
-   * throws; default 0: no bound. Not in the paper, which has a bound for small Delta. */
+   * lowered where that takes it, and a warning says if it could not be kept. 0 for no bound, which is the default, or
+   * finite and at least a quarter of the least spacing, else Update() throws. Not in the paper, which has a bound for
+   * small Delta. */
   /** @ITKStartGrouping */
   itkSetMacro(HausdorffBound, double);
   itkGetConstMacro(HausdorffBound, double);

@@ -131,7 +131,7 @@ TEST(DelaunayRefinementMeshFilterSurface, HausdorffBoundMustBeALength)
 {
   const auto image = MakeRandomVoxels(1);
   const auto filter = MakeFilter(image.GetPointer(), 1.0);
-  for (const double bound : { -1.0, std::numeric_limits<double>::infinity(), std::nan("") })
+  for (const double bound : { -1.0, std::numeric_limits<double>::infinity(), std::nan(""), 0.2 })
   {
     filter->SetHausdorffBound(bound);
     ExpectError(filter.GetPointer(), { "HausdorffBound" });
