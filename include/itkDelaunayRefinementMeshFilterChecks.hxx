@@ -121,23 +121,19 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::VerifyGeometry(const Inp
   }
   // Time and memory grow with the cube of it.
   constexpr double largestSmoothing = 6.0;
-  constexpr double leastShareOfSpacing = 0.25;
-  const double     leastBound =
-    leastShareOfSpacing *
-    std::min({ std::abs(image->GetSpacing()[0]), std::abs(image->GetSpacing()[1]), std::abs(image->GetSpacing()[2]) });
-  if (m_HausdorffBound > 0.0 && m_HausdorffBound < leastBound)
-  {
-    itkExceptionMacro("HausdorffBound is " << m_HausdorffBound
-                                           << " mm; the image's voxels are too large for less than a quarter of their "
-                                              "least spacing: set at least "
-                                           << leastBound << " mm");
-  }
-  const auto & spacing = image->GetSpacing();
-  const double least = std::min({ spacing[0], spacing[1], spacing[2] });
+  const auto &     spacing = image->GetSpacing();
+  const double     least = std::min({ spacing[0], spacing[1], spacing[2] });
   if (m_Smoothing > largestSmoothing * least)
   {
     itkExceptionMacro("Smoothing is " << m_Smoothing << " mm; it must be no larger than " << largestSmoothing
                                       << " times the least spacing of the voxels, which is " << least << " mm");
+  }
+  // Pieces of the surface are asked for that are smaller than the bound.
+  constexpr double leastBound = 0.25;
+  if (m_HausdorffBound > 0.0 && m_HausdorffBound < leastBound * least)
+  {
+    itkExceptionMacro("HausdorffBound is " << m_HausdorffBound << " mm; it must be at least " << leastBound
+                                           << " times the least spacing of the voxels, which is " << least << " mm");
   }
 }
 
