@@ -30,9 +30,6 @@ using RegionType = DelaunayRefinementComplex::RegionType;
 constexpr std::size_t CellsPerPiece = 16384;
 constexpr std::size_t VerticesPerPiece = 4096;
 
-/** The vertices of the facet opposite to each vertex. */
-constexpr unsigned int FacetVertices[4][3] = { { 1, 2, 3 }, { 0, 3, 2 }, { 0, 1, 3 }, { 0, 2, 1 } };
-
 /** A facet between two regions, turned as its side in \c region sees it. */
 struct FacetType
 {
@@ -64,7 +61,7 @@ FindFacets(const DelaunayRefinementComplex & complex, IndexType begin, IndexType
       const RegionType other = complex.GetRegion(cell.neighbors[i]);
       if (other < region)
       {
-        const auto & face = FacetVertices[i];
+        const auto & face = DelaunayRefinementComplex::OutwardFacets[i];
         facets.push_back({ { cell.vertices[face[0]], cell.vertices[face[1]], cell.vertices[face[2]] }, region, other });
       }
     }

@@ -80,6 +80,14 @@ public:
     : m_Regions(regions)
   {}
 
+  /** Where the corners of an octant are among all, x fastest. */
+  static std::array<unsigned int, 8>
+  GetPlaces(unsigned int octant)
+  {
+    const unsigned int first = (octant & 1u) + 3 * (octant >> 1 & 1u) + 9 * (octant >> 2);
+    return { first, first + 1, first + 3, first + 4, first + 9, first + 10, first + 12, first + 13 };
+  }
+
   /** All of them. */
   const std::array<DelaunayRefinementRegion, 27> &
   Get() const
@@ -91,9 +99,10 @@ public:
   std::array<DelaunayRefinementRegion, 8>
   Get(unsigned int octant) const
   {
-    const unsigned int first = (octant & 1u) + 3 * (octant >> 1 & 1u) + 9 * (octant >> 2);
-    return { m_Regions[first],     m_Regions[first + 1],  m_Regions[first + 3],  m_Regions[first + 4],
-             m_Regions[first + 9], m_Regions[first + 10], m_Regions[first + 12], m_Regions[first + 13] };
+    std::array<DelaunayRefinementRegion, 8> regions;
+    const auto                              places = GetPlaces(octant);
+    std::transform(places.begin(), places.end(), regions.begin(), [this](unsigned int i) { return m_Regions[i]; });
+    return regions;
   }
 
 private:

@@ -45,6 +45,9 @@ public:
 
   static constexpr IndexType None = DelaunayRefinementTriangulation::None;
 
+  /** The vertices of the facet opposite to each vertex, counterclockwise as seen from outside the cell. */
+  static constexpr unsigned int OutwardFacets[4][3] = { { 1, 2, 3 }, { 0, 3, 2 }, { 0, 1, 3 }, { 0, 2, 1 } };
+
   /** Callers round every point before they insert it. */
   DelaunayRefinementComplex(const DelaunayRefinementOracle & oracle, bool roundToFloat, const BoundsType & box);
 

@@ -26,9 +26,6 @@ namespace itk
 {
 namespace
 {
-/** The vertices of the face opposite to each vertex, counterclockwise as seen from outside. */
-constexpr unsigned int FaceVertices[4][3] = { { 1, 2, 3 }, { 0, 3, 2 }, { 0, 1, 3 }, { 0, 2, 1 } };
-
 using IndexType = DelaunayRefinementComplex::IndexType;
 using TriangleType = std::array<std::uint32_t, 3>;
 using Threads = DelaunayRefinementThreads;
@@ -112,7 +109,7 @@ ExtractDelaunayRefinementResult(const DelaunayRefinementComplex & complex, Delau
         const IndexType neighbor = cell.neighbors[j];
         if (sides[neighbor] < sides[i] || (sides[neighbor] == large && complex.GetRegion(neighbor) < region))
         {
-          const auto & face = FaceVertices[j];
+          const auto & face = DelaunayRefinementComplex::OutwardFacets[j];
           parts[piece].triangles.push_back({ cell.vertices[face[0]], cell.vertices[face[1]], cell.vertices[face[2]] });
           parts[piece].regions.push_back({ region, sides[neighbor] == 0 ? 0 : complex.GetRegion(neighbor) });
         }

@@ -42,7 +42,21 @@ constexpr double ToleranceShare = 0.1;
 
 constexpr std::size_t PiecesAtATime = 1024;
 
-/** A ball around a triangle: of its longest edge if that is enough, else around its centroid. */
+/** A piece of either surface, by how far it may be from the other at most: in a queue the farthest is next. */
+template <typename TPiece>
+struct PieceType
+{
+  double most;
+  TPiece piece;
+
+  bool
+  operator<(const PieceType & other) const
+  {
+    return most < other.most;
+  }
+};
+
+/** Around a triangle, its center the centroid. */
 struct BallType
 {
   PointType center;
@@ -302,20 +316,8 @@ DelaunayRefinementFidelity::CertifyTriangle(const TriangleType & triangle, doubl
 DelaunayRefinementFidelity::DistanceType
 DelaunayRefinementFidelity::MeasureFromFacets() const
 {
-  // The piece that may be farthest next, until another cannot be farther by much.
-  struct PieceType
-  {
-    double       most;
-    TriangleType triangle;
-
-    bool
-    operator<(const PieceType & other) const
-    {
-      return most < other.most;
-    }
-  };
   // Vertices are on the surface.
-  std::priority_queue<PieceType> queue;
+  std::priority_queue<PieceType<TriangleType>> queue;
   for (const TriangleType & triangle : m_Grid.GetTriangles())
   {
     queue.push({ GetReachOfVertices(triangle), triangle });
@@ -324,37 +326,34 @@ DelaunayRefinementFidelity::MeasureFromFacets() const
   const double tolerance = ToleranceShare * m_Bound;
   while (!queue.empty() && queue.top().most > greatest.distance + tolerance)
   {
-    const PieceType piece = queue.top();
-    const BallType  ball = FindBall(piece.triangle);
-    const double    enough = greatest.distance + tolerance - ball.radius;
+    const auto     piece = queue.top();
+    const BallType ball = FindBall(piece.piece);
+    const double   enough = greatest.distance + tolerance - ball.radius;
     queue.pop();
     if (enough > 0.0 && m_Oracle.IsSurfaceWithin(ball.center, enough))
     {
       continue;
     }
-    if (ball.radius > tolerance)
+    double most = piece.most;
+    if (ball.radius <= tolerance)
     {
-      for (const TriangleType & part : Split(piece.triangle))
+      // Well enough known by some questions: the closest point would take far longer.
+      double low = std::max(enough, 0.0);
+      double high = piece.most;
+      while (high - low > 0.25 * tolerance)
       {
-        queue.push({ piece.most, part });
+        const double middle = 0.5 * (low + high);
+        (m_Oracle.IsSurfaceWithin(ball.center, middle) ? high : low) = middle;
       }
-      continue;
+      if (low > greatest.distance)
+      {
+        greatest = { low, ball.center };
+      }
+      most = std::min(most, high + ball.radius);
     }
-    // Well enough known by some questions: the closest point would take far longer.
-    double low = std::max(enough, 0.0);
-    double high = piece.most;
-    while (high - low > 0.25 * tolerance)
+    for (const TriangleType & part : Split(piece.piece))
     {
-      const double middle = 0.5 * (low + high);
-      (m_Oracle.IsSurfaceWithin(ball.center, middle) ? high : low) = middle;
-    }
-    if (low > greatest.distance)
-    {
-      greatest = { low, ball.center };
-    }
-    for (const TriangleType & part : Split(piece.triangle))
-    {
-      queue.push({ std::min(piece.most, high + ball.radius), part });
+      queue.push({ most, part });
     }
   }
   return greatest;
@@ -363,20 +362,9 @@ DelaunayRefinementFidelity::MeasureFromFacets() const
 DelaunayRefinementFidelity::DistanceType
 DelaunayRefinementFidelity::MeasureFromSurface() const
 {
-  struct PieceType
-  {
-    double    most;
-    PatchType patch;
-
-    bool
-    operator<(const PieceType & other) const
-    {
-      return most < other.most;
-    }
-  };
-  DistanceType                   greatest{ 0.0, {} };
-  std::priority_queue<PieceType> queue;
-  const auto                     push = [&](const PatchType & patch) {
+  DistanceType                              greatest{ 0.0, {} };
+  std::priority_queue<PieceType<PatchType>> queue;
+  const auto                                push = [&](const PatchType & patch) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const double     enough = greatest.distance + ToleranceShare * m_Bound - patch.radius;
     const double     distance = m_Grid.Find(patch.center, enough, infinity).distance;
@@ -398,7 +386,7 @@ DelaunayRefinementFidelity::MeasureFromSurface() const
   }
   while (!queue.empty() && queue.top().most > greatest.distance + ToleranceShare * m_Bound)
   {
-    const PatchType patch = queue.top().patch;
+    const PatchType patch = queue.top().piece;
     queue.pop();
     DelaunayRefinementSurfacePatches parts(patch.center);
     m_Oracle.SplitSurfacePatch(patch.identifier, parts);

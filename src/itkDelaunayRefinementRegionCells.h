@@ -233,7 +233,7 @@ public:
     std::array<unsigned int, 8> numbers;
     for (unsigned int octant = 0; octant < 8; ++octant)
     {
-      numbers[octant] = this->CountRegions(grids, (octant & 1u) + 3 * (octant >> 1 & 1u) + 9 * (octant >> 2));
+      numbers[octant] = this->CountRegions(grids, DelaunayRefinementOctantCorners::GetPlaces(octant));
     }
     return numbers;
   }
@@ -370,13 +370,11 @@ private:
     }
   }
 
-  /** Of the octant with its first corner at a place of a grid. */
+  /** Of an octant, by the places of its corners in a grid. */
   unsigned int
-  CountRegions(const GridsType & grids, unsigned int first) const
+  CountRegions(const GridsType & grids, const std::array<unsigned int, 8> & corners) const
   {
-    const std::array<unsigned int, 8> corners{ first,     first + 1,  first + 3,  first + 4,
-                                               first + 9, first + 10, first + 12, first + 13 };
-    const auto                        isInside = [&grids](unsigned int i) { return grids.all[i] >= 0.5; };
+    const auto isInside = [&grids](unsigned int i) { return grids.all[i] >= 0.5; };
     if (std::none_of(corners.begin(), corners.end(), isInside))
     {
       return 1;

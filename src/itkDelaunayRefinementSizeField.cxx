@@ -35,13 +35,10 @@ DelaunayRefinementSizeField::Start(const BoundsType & bounds, double cubeSize, d
   {
     volume *= std::max(bounds.maximum[i] - bounds.minimum[i], cubeSize);
   }
-  m_Minimum = bounds.minimum;
-  m_CubeSize = std::max(cubeSize, std::cbrt(volume / MostCubes));
-  for (unsigned int i = 0; i < 3; ++i)
-  {
-    m_Length[i] = static_cast<std::int32_t>((bounds.maximum[i] - bounds.minimum[i]) / m_CubeSize) + 1;
-  }
-  m_Sizes.assign(static_cast<std::size_t>(m_Length[0]) * m_Length[1] * m_Length[2], static_cast<float>(size));
+  m_Cubes.Start(bounds.minimum,
+                DelaunayRefinementGeometry::Subtract(bounds.maximum, bounds.minimum),
+                std::max(cubeSize, std::cbrt(volume / MostCubes)));
+  m_Sizes.assign(m_Cubes.GetNumber(), static_cast<float>(size));
 }
 
 double
@@ -50,8 +47,8 @@ DelaunayRefinementSizeField::ComputeDistance(const PointType & point, const Cube
   double squared = 0.0;
   for (unsigned int i = 0; i < 3; ++i)
   {
-    const double low = m_Minimum[i] + cube[i] * m_CubeSize;
-    const double beyond = std::max({ low - point[i], point[i] - (low + m_CubeSize), 0.0 });
+    const double low = m_Cubes.minimum[i] + cube[i] * m_Cubes.size;
+    const double beyond = std::max({ low - point[i], point[i] - (low + m_Cubes.size), 0.0 });
     squared += beyond * beyond;
   }
   return std::sqrt(squared);
@@ -60,15 +57,15 @@ DelaunayRefinementSizeField::ComputeDistance(const PointType & point, const Cube
 void
 DelaunayRefinementSizeField::Lower(const PointType & point, double radius, double size)
 {
-  const CubeType first = this->ToCube(point, -radius);
-  const CubeType last = this->ToCube(point, radius);
+  const CubeType first = m_Cubes.ToCube(point, -radius);
+  const CubeType last = m_Cubes.ToCube(point, radius);
   for (std::int32_t z = first[2]; z <= last[2]; ++z)
   {
     for (std::int32_t y = first[1]; y <= last[1]; ++y)
     {
       for (std::int32_t x = first[0]; x <= last[0]; ++x)
       {
-        float & own = m_Sizes[this->ToOffset({ x, y, z })];
+        float & own = m_Sizes[m_Cubes.ToOffset({ x, y, z })];
         if (size < own && this->ComputeDistance(point, { x, y, z }) <= radius)
         {
           own = static_cast<float>(size);
@@ -82,14 +79,14 @@ void
 DelaunayRefinementSizeField::Grade()
 {
   // Once in the order of the cubes and once against it, each time from the neighbors that come before.
-  const std::int32_t rows = m_Length[1] * m_Length[2];
+  const std::int32_t rows = m_Cubes.length[1] * m_Cubes.length[2];
   for (const std::int32_t direction : { 1, -1 })
   {
     for (std::int32_t count = 0; count < rows; ++count)
     {
       const std::int32_t row = direction > 0 ? count : rows - 1 - count;
-      const std::int32_t y = row % m_Length[1];
-      const std::int32_t z = row / m_Length[1];
+      const std::int32_t y = row % m_Cubes.length[1];
+      const std::int32_t z = row / m_Cubes.length[1];
       this->GradeRow(y, z, -direction);
     }
   }
@@ -98,15 +95,15 @@ DelaunayRefinementSizeField::Grade()
 void
 DelaunayRefinementSizeField::GradeRow(std::int32_t y, std::int32_t z, std::int32_t before)
 {
-  const float        step = static_cast<float>(Growth * m_CubeSize);
-  const std::int32_t length = m_Length[0];
-  float * const      own = m_Sizes.data() + this->ToOffset({ 0, y, z });
+  const float        step = static_cast<float>(Growth * m_Cubes.size);
+  const std::int32_t length = m_Cubes.length[0];
+  float * const      own = m_Sizes.data() + m_Cubes.ToOffset({ 0, y, z });
   const auto         gradeFrom = [&](std::int32_t dy, std::int32_t dz) {
-    if (y + dy < 0 || y + dy >= m_Length[1] || z + dz < 0 || z + dz >= m_Length[2])
+    if (y + dy < 0 || y + dy >= m_Cubes.length[1] || z + dz < 0 || z + dz >= m_Cubes.length[2])
     {
       return;
     }
-    const float * const other = m_Sizes.data() + this->ToOffset({ 0, y + dy, z + dz });
+    const float * const other = m_Sizes.data() + m_Cubes.ToOffset({ 0, y + dy, z + dz });
     const auto          across = static_cast<float>(dy * dy + dz * dz);
     const float         straight = step * std::sqrt(across);
     const float         diagonal = step * std::sqrt(across + 1.0f);
@@ -131,15 +128,15 @@ DelaunayRefinementSizeField::GradeRow(std::int32_t y, std::int32_t z, std::int32
 DelaunayRefinementSizeField::RangeType
 DelaunayRefinementSizeField::GetRange(const PointType & point, double radius) const
 {
-  const CubeType first = this->ToCube(point, -radius);
-  const CubeType last = this->ToCube(point, radius);
-  const double   own = m_Sizes[this->ToOffset(first)];
+  const CubeType first = m_Cubes.ToCube(point, -radius);
+  const CubeType last = m_Cubes.ToCube(point, radius);
+  const double   own = m_Sizes[m_Cubes.ToOffset(first)];
   RangeType      range{ own, own };
   for (std::int32_t z = first[2]; z <= last[2]; ++z)
   {
     for (std::int32_t y = first[1]; y <= last[1]; ++y)
     {
-      const float * row = m_Sizes.data() + this->ToOffset({ 0, y, z });
+      const float * row = m_Sizes.data() + m_Cubes.ToOffset({ 0, y, z });
       for (std::int32_t x = first[0]; x <= last[0]; ++x)
       {
         range.least = std::min<double>(range.least, row[x]);

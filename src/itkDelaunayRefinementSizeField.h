@@ -18,6 +18,7 @@
 #ifndef itkDelaunayRefinementSizeField_h
 #define itkDelaunayRefinementSizeField_h
 
+#include "itkDelaunayRefinementCubes.h"
 #include "itkDelaunayRefinementOracle.h"
 
 namespace itk
@@ -58,7 +59,7 @@ public:
   double
   GetAt(const PointType & point) const
   {
-    return m_Sizes[this->ToOffset(this->ToCube(point, 0.0))];
+    return m_Sizes[m_Cubes.ToOffset(m_Cubes.ToCube(point))];
   }
 
   /** Bounds on the size within \c radius of a point. */
@@ -66,26 +67,7 @@ public:
   GetRange(const PointType & point, double radius) const;
 
 private:
-  using CubeType = std::array<std::int32_t, 3>;
-
-  /** Points beyond the box belong to the cubes at its border. */
-  CubeType
-  ToCube(const PointType & point, double offset) const
-  {
-    CubeType cube;
-    for (unsigned int i = 0; i < 3; ++i)
-    {
-      const double index = (point[i] + offset - m_Minimum[i]) / m_CubeSize;
-      cube[i] = index > 0.0 ? index < m_Length[i] ? static_cast<std::int32_t>(index) : m_Length[i] - 1 : 0;
-    }
-    return cube;
-  }
-
-  std::size_t
-  ToOffset(const CubeType & cube) const
-  {
-    return (static_cast<std::size_t>(cube[2]) * m_Length[1] + cube[1]) * m_Length[0] + cube[0];
-  }
+  using CubeType = DelaunayRefinementCubes::CubeType;
 
   /** From the rows before it in one direction, and along the row. */
   void
@@ -94,10 +76,8 @@ private:
   double
   ComputeDistance(const PointType & point, const CubeType & cube) const;
 
-  PointType          m_Minimum{};
-  double             m_CubeSize{ 1.0 };
-  CubeType           m_Length{};
-  std::vector<float> m_Sizes{};
+  DelaunayRefinementCubes m_Cubes{};
+  std::vector<float>      m_Sizes{};
 };
 } // end namespace itk
 

@@ -58,18 +58,6 @@ ComputeSquaredDistance(const PointType & point, const DelaunayRefinementTriangle
 }
 } // namespace
 
-DelaunayRefinementTriangleGrid::CubeType
-DelaunayRefinementTriangleGrid::ToCube(const PointType & point) const
-{
-  CubeType cube;
-  for (unsigned int i = 0; i < 3; ++i)
-  {
-    const double index = (point[i] - m_Minimum[i]) / m_CubeSize;
-    cube[i] = index > 0.0 ? index < m_Length[i] ? static_cast<std::int32_t>(index) : m_Length[i] - 1 : 0;
-  }
-  return cube;
-}
-
 template <typename TAction>
 void
 DelaunayRefinementTriangleGrid::ForEachCube(const TriangleType & triangle, const TAction & action) const
@@ -81,15 +69,15 @@ DelaunayRefinementTriangleGrid::ForEachCube(const TriangleType & triangle, const
     minimum[i] = std::min({ triangle[0][i], triangle[1][i], triangle[2][i] });
     maximum[i] = std::max({ triangle[0][i], triangle[1][i], triangle[2][i] });
   }
-  const CubeType first = this->ToCube(minimum);
-  const CubeType last = this->ToCube(maximum);
+  const CubeType first = m_Cubes.ToCube(minimum);
+  const CubeType last = m_Cubes.ToCube(maximum);
   for (std::int32_t z = first[2]; z <= last[2]; ++z)
   {
     for (std::int32_t y = first[1]; y <= last[1]; ++y)
     {
       for (std::int32_t x = first[0]; x <= last[0]; ++x)
       {
-        action(this->ToOffset(x, y, z));
+        action(m_Cubes.ToOffset({ x, y, z }));
       }
     }
   }
@@ -100,13 +88,12 @@ DelaunayRefinementTriangleGrid::Start(std::vector<TriangleType> triangles)
 {
   m_Triangles = std::move(triangles);
   m_Numbers.clear();
-  m_Length = {};
   if (m_Triangles.empty())
   {
     return;
   }
-  m_Minimum = m_Triangles.front().front();
-  PointType maximum = m_Minimum;
+  PointType minimum = m_Triangles.front().front();
+  PointType maximum = minimum;
   double    sumOfEdges = 0.0;
   for (const TriangleType & triangle : m_Triangles)
   {
@@ -114,21 +101,18 @@ DelaunayRefinementTriangleGrid::Start(std::vector<TriangleType> triangles)
     {
       for (unsigned int i = 0; i < 3; ++i)
       {
-        m_Minimum[i] = std::min(m_Minimum[i], point[i]);
+        minimum[i] = std::min(minimum[i], point[i]);
         maximum[i] = std::max(maximum[i], point[i]);
       }
     }
     sumOfEdges += Geometry::Distance(triangle[0], triangle[1]);
   }
-  const PointType size = Geometry::Subtract(maximum, m_Minimum);
+  const PointType extent = Geometry::Subtract(maximum, minimum);
   const double    mean = sumOfEdges / static_cast<double>(m_Triangles.size());
-  const double    volume = (size[0] + mean) * (size[1] + mean) * (size[2] + mean);
-  m_CubeSize = std::max(mean, std::cbrt(volume / (MostCubes * static_cast<double>(m_Triangles.size()))));
-  for (unsigned int i = 0; i < 3; ++i)
-  {
-    m_Length[i] = static_cast<std::int32_t>(size[i] / m_CubeSize) + 1;
-  }
-  m_Ends.assign(static_cast<std::size_t>(m_Length[0]) * m_Length[1] * m_Length[2] + 1, 0);
+  const double    volume = (extent[0] + mean) * (extent[1] + mean) * (extent[2] + mean);
+  m_Cubes.Start(
+    minimum, extent, std::max(mean, std::cbrt(volume / (MostCubes * static_cast<double>(m_Triangles.size())))));
+  m_Ends.assign(m_Cubes.GetNumber() + 1, 0);
   for (const TriangleType & triangle : m_Triangles)
   {
     this->ForEachCube(triangle, [this](std::size_t cube) { ++m_Ends[cube + 1]; });
@@ -151,10 +135,10 @@ DelaunayRefinementTriangleGrid::Find(const PointType & point, double enough, dou
     return nearest;
   }
   const double   squaredEnough = enough > 0.0 ? enough * enough : -1.0;
-  const CubeType middle = this->ToCube(point);
+  const CubeType middle = m_Cubes.ToCube(point);
   double         squared = reach * reach;
   const auto     visit = [&](std::int32_t x, std::int32_t y, std::int32_t z) {
-    const std::size_t cube = this->ToOffset(x, y, z);
+    const std::size_t cube = m_Cubes.ToOffset({ x, y, z });
     for (std::uint32_t i = m_Ends[cube]; i < m_Ends[cube + 1]; ++i)
     {
       const double own = ComputeSquaredDistance(point, m_Triangles[m_Numbers[i]]);
@@ -165,32 +149,32 @@ DelaunayRefinementTriangleGrid::Find(const PointType & point, double enough, dou
       }
     }
   };
-  const std::int32_t mostRings = std::max({ m_Length[0], m_Length[1], m_Length[2] });
+  const std::int32_t mostRings = std::max({ m_Cubes.length[0], m_Cubes.length[1], m_Cubes.length[2] });
   for (std::int32_t ring = 0; ring <= mostRings && squared > squaredEnough; ++ring)
   {
     // What is left lies beyond the cubes of the rings before.
-    double isBeyond = std::numeric_limits<double>::infinity();
+    double distanceBeyond = std::numeric_limits<double>::infinity();
     for (unsigned int i = 0; i < 3; ++i)
     {
-      const double low = m_Minimum[i] + (middle[i] - ring + 1) * m_CubeSize;
-      const double high = m_Minimum[i] + (middle[i] + ring) * m_CubeSize;
-      isBeyond = std::min({ isBeyond,
-                            middle[i] - ring >= 0 ? point[i] - low : isBeyond,
-                            middle[i] + ring < m_Length[i] ? high - point[i] : isBeyond });
+      const double low = m_Cubes.minimum[i] + (middle[i] - ring + 1) * m_Cubes.size;
+      const double high = m_Cubes.minimum[i] + (middle[i] + ring) * m_Cubes.size;
+      distanceBeyond = std::min({ distanceBeyond,
+                                  middle[i] - ring >= 0 ? point[i] - low : distanceBeyond,
+                                  middle[i] + ring < m_Cubes.length[i] ? high - point[i] : distanceBeyond });
     }
-    if (ring > 0 && isBeyond > 0.0 && isBeyond * isBeyond > squared)
+    if (ring > 0 && distanceBeyond > 0.0 && distanceBeyond * distanceBeyond > squared)
     {
       break;
     }
-    for (std::int32_t z = std::max(0, middle[2] - ring); z <= std::min(m_Length[2] - 1, middle[2] + ring); ++z)
+    for (std::int32_t z = std::max(0, middle[2] - ring); z <= std::min(m_Cubes.length[2] - 1, middle[2] + ring); ++z)
     {
-      for (std::int32_t y = std::max(0, middle[1] - ring); y <= std::min(m_Length[1] - 1, middle[1] + ring); ++y)
+      for (std::int32_t y = std::max(0, middle[1] - ring); y <= std::min(m_Cubes.length[1] - 1, middle[1] + ring); ++y)
       {
         const bool         isFace = std::max(std::abs(z - middle[2]), std::abs(y - middle[1])) == ring;
         const std::int32_t step = isFace || ring == 0 ? 1 : 2 * ring;
         for (std::int32_t x = middle[0] - ring; x <= middle[0] + ring; x += step)
         {
-          if (x >= 0 && x < m_Length[0])
+          if (x >= 0 && x < m_Cubes.length[0])
           {
             visit(x, y, z);
           }

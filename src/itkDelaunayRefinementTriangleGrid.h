@@ -18,7 +18,7 @@
 #ifndef itkDelaunayRefinementTriangleGrid_h
 #define itkDelaunayRefinementTriangleGrid_h
 
-#include "itkDelaunayRefinementGeometry.h"
+#include "itkDelaunayRefinementCubes.h"
 
 namespace itk
 {
@@ -57,26 +57,14 @@ public:
   }
 
 private:
-  using CubeType = std::array<std::int32_t, 3>;
-
-  /** Points beyond the box belong to the cubes at its border. */
-  CubeType
-  ToCube(const PointType & point) const;
-
-  std::size_t
-  ToOffset(std::int32_t x, std::int32_t y, std::int32_t z) const
-  {
-    return (static_cast<std::size_t>(z) * m_Length[1] + y) * m_Length[0] + x;
-  }
+  using CubeType = DelaunayRefinementCubes::CubeType;
 
   /** Calls \c action with the offset of each cube that meets the box of a triangle. */
   template <typename TAction>
   void
   ForEachCube(const TriangleType & triangle, const TAction & action) const;
 
-  PointType                  m_Minimum{};
-  double                     m_CubeSize{ 1.0 };
-  CubeType                   m_Length{};
+  DelaunayRefinementCubes    m_Cubes{};
   std::vector<TriangleType>  m_Triangles{};
   std::vector<std::uint32_t> m_Ends{}; // of each cube's part of m_Numbers; the first is 0
   std::vector<std::uint32_t> m_Numbers{};
