@@ -800,7 +800,7 @@ DelaunayRefinementEngine::Impl::ImproveFidelity()
   }
   if (m_Fidelity == nullptr)
   {
-    m_Fidelity = std::make_unique<DelaunayRefinementFidelity>(m_Oracle, *m_Complex, m_Threads, bound);
+    m_Fidelity = std::make_unique<DelaunayRefinementFidelity>(m_Oracle, *m_Complex, m_LocalDelta, m_Threads, bound);
   }
   const auto          places = m_Fidelity->FindFarPlaces();
   std::vector<double> deltas;
@@ -816,7 +816,7 @@ DelaunayRefinementEngine::Impl::ImproveFidelity()
     const double lowered = std::max(DeltaStep * deltas[i], LeastDeltaShare * bound);
     if (lowered < (1.0 - SmallestStep) * m_LocalDelta.GetAt(places[i].center))
     {
-      m_LocalDelta.LowerAround(places[i].center, places[i].radius + 0.5 * deltas[i], lowered, ResolutionShare * bound);
+      m_LocalDelta.LowerAround(places[i].center, places[i].radius, lowered, ResolutionShare * bound);
       isLowered = true;
     }
   }

@@ -34,8 +34,15 @@ constexpr double FarShare = 0.9;
 /** Pieces with a radius below this share of the bound are asked for a point of their own. */
 constexpr double SmallShare = 0.5;
 
-/** Pieces with a radius below this share of the bound are split only where larger ones are nowhere too far. */
-constexpr double CoarseShare = 0.25;
+/** Pieces with a radius below the first of these shares of the bound are split only where larger ones are too far in
+ * next to no places, and so on. */
+constexpr double SmallestShares[] = { 2.0, 1.0, 0.25, 0.0 };
+
+/** So many places for each facet are next to none. */
+constexpr double FewPlaces = 0.02;
+
+/** Delta is lowered within this share of it around what is too far. */
+constexpr double ReachShare = 0.5;
 
 /** How well distances are measured, over the bound. */
 constexpr double ToleranceShare = 0.1;
@@ -104,12 +111,14 @@ Split(const TriangleType & triangle)
 }
 } // namespace
 
-DelaunayRefinementFidelity::DelaunayRefinementFidelity(const DelaunayRefinementOracle &  oracle,
-                                                       const DelaunayRefinementComplex & complex,
-                                                       DelaunayRefinementThreads &       threads,
-                                                       double                            bound)
+DelaunayRefinementFidelity::DelaunayRefinementFidelity(const DelaunayRefinementOracle &     oracle,
+                                                       const DelaunayRefinementComplex &    complex,
+                                                       const DelaunayRefinementLocalDelta & localDelta,
+                                                       DelaunayRefinementThreads &          threads,
+                                                       double                               bound)
   : m_Oracle(oracle)
   , m_Complex(complex)
+  , m_LocalDelta(localDelta)
   , m_Threads(threads)
   , m_Bound(bound)
 {
@@ -126,12 +135,12 @@ DelaunayRefinementFidelity::FindFarPlaces()
 {
   std::vector<PlaceType> places;
   this->FindFacets();
-  for (const double smallest : { CoarseShare * m_Bound, 0.0 })
+  for (const double share : SmallestShares)
   {
-    if (places.empty())
+    if (static_cast<double>(places.size()) <= FewPlaces * static_cast<double>(m_Facets.size()))
     {
-      this->CertifySurface(smallest, places);
-      this->CertifyFacets(smallest, places);
+      this->CertifySurface(share * m_Bound, places);
+      this->CertifyFacets(share * m_Bound, places);
     }
   }
   return places;
@@ -189,6 +198,10 @@ DelaunayRefinementFidelity::CertifySurface(double smallest, std::vector<PlaceTyp
         {
           parts[number].pieces.push_back(m_Pieces[i]);
         }
+        else if (parts[number].IsInLastPlace(m_Pieces[i].patch.center))
+        {
+          parts[number].pieces.push_back({ m_Pieces[i].patch, {} });
+        }
         else
         {
           this->CertifyPatch(m_Pieces[i].patch, smallest, parts[number]);
@@ -203,42 +216,55 @@ DelaunayRefinementFidelity::CertifySurface(double smallest, std::vector<PlaceTyp
   }
 }
 
-void
+bool
 DelaunayRefinementFidelity::CertifyPatch(const PatchType & patch, double smallest, PartType & part) const
 {
   const double room = m_Bound - patch.radius;
   const double far = FarShare * m_Bound;
-  const auto   near = m_Grid.Find(patch.center, room, m_Bound + patch.radius);
+  const auto   near = m_Grid.Find(patch.center, room, m_Bound + patch.radius, part.nearest);
+  if (near.number != DelaunayRefinementTriangleGrid::None)
+  {
+    part.nearest = near.number;
+  }
   if (near.distance <= room)
   {
     part.pieces.push_back({ patch, m_Facets[near.number] });
-    return;
+    return true;
   }
   if (patch.radius < SmallShare * m_Bound || near.distance - patch.radius > far)
   {
     PointType point;
     if (!m_Oracle.FindPointOfPatch(patch.identifier, point))
     {
-      return;
+      return true;
     }
-    if (m_Grid.Find(point, far, m_Bound).distance > far)
+    if (m_Grid.Find(point, far, m_Bound, part.nearest).distance > far)
     {
       part.pieces.push_back({ patch, {} });
-      part.places.push_back({ point, 0.0 });
-      return;
+      part.places.push_back({ point, ReachShare * m_LocalDelta.GetAt(point) });
+      return false;
     }
   }
   if (patch.radius < smallest)
   {
     part.pieces.push_back({ patch, {} });
-    return;
+    return true;
   }
   DelaunayRefinementSurfacePatches parts(patch.center);
   m_Oracle.SplitSurfacePatch(patch.identifier, parts);
+  bool isNear = true;
   for (std::size_t i = 0; i < parts.GetSize(); ++i)
   {
-    this->CertifyPatch(parts.Get(i), smallest, part);
+    if (isNear)
+    {
+      isNear = this->CertifyPatch(parts.Get(i), smallest, part);
+    }
+    else
+    {
+      part.pieces.push_back({ parts.Get(i), {} });
+    }
   }
+  return isNear;
 }
 
 void
@@ -273,6 +299,7 @@ DelaunayRefinementFidelity::CertifyFacets(double smallest, std::vector<PlaceType
           {
             place.radius = std::max(place.radius, Geometry::Distance(vertex, place.center));
           }
+          place.radius += ReachShare * m_LocalDelta.GetAt(place.center);
           found[number].push_back(place);
         }
       }

@@ -19,6 +19,7 @@
 #define itkDelaunayRefinementFidelity_h
 
 #include "itkDelaunayRefinementComplex.h"
+#include "itkDelaunayRefinementLocalDelta.h"
 #include "itkDelaunayRefinementTriangleGrid.h"
 
 namespace itk
@@ -39,12 +40,13 @@ public:
   using IndexType = DelaunayRefinementComplex::IndexType;
   using DistanceType = DelaunayRefinementDistance;
 
-  DelaunayRefinementFidelity(const DelaunayRefinementOracle &  oracle,
-                             const DelaunayRefinementComplex & complex,
-                             DelaunayRefinementThreads &       threads,
-                             double                            bound);
+  DelaunayRefinementFidelity(const DelaunayRefinementOracle &     oracle,
+                             const DelaunayRefinementComplex &    complex,
+                             const DelaunayRefinementLocalDelta & localDelta,
+                             DelaunayRefinementThreads &          threads,
+                             double                               bound);
 
-  /** A ball around what is too far. */
+  /** A ball around what is too far, in which delta should be lowered. */
   struct PlaceType
   {
     PointType center;
@@ -88,6 +90,14 @@ private:
   {
     std::vector<CertifiedType> pieces{};
     std::vector<PlaceType>     places{};
+    std::uint32_t              nearest{ DelaunayRefinementTriangleGrid::None }; // of the last piece
+
+    bool
+    IsInLastPlace(const PointType & point) const
+    {
+      return !places.empty() &&
+             DelaunayRefinementGeometry::Distance(point, places.back().center) < places.back().radius;
+    }
   };
 
   bool
@@ -106,10 +116,11 @@ private:
     OPEN // pieces would have to be smaller
   };
 
-  /** Certify what they can without splitting pieces of a radius below \c smallest. */
+  /** Certify what they can without splitting pieces of a radius below \c smallest; a patch up to its first place that
+   * is too far, for which the answer is false. */
   void
   CertifySurface(double smallest, std::vector<PlaceType> & places);
-  void
+  bool
   CertifyPatch(const PatchType & patch, double smallest, PartType & part) const;
   void
   CertifyFacets(double smallest, std::vector<PlaceType> & places);
@@ -120,6 +131,7 @@ private:
 
   const DelaunayRefinementOracle &       m_Oracle;
   const DelaunayRefinementComplex &      m_Complex;
+  const DelaunayRefinementLocalDelta &   m_LocalDelta;
   DelaunayRefinementThreads &            m_Threads;
   double                                 m_Bound;
   std::vector<FacetType>                 m_Facets{};

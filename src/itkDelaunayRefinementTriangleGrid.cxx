@@ -30,31 +30,57 @@ using PointType = DelaunayRefinementPoint;
 /** Cubes for each triangle, at most about. */
 constexpr double MostCubes = 8.0;
 
-double
-ComputeSquaredDistanceToSegment(const PointType & point, const PointType & a, const PointType & b)
-{
-  const PointType along = Geometry::Subtract(b, a);
-  const double    length = Geometry::Dot(along, along);
-  const double    share = length > 0.0 ? Geometry::Dot(Geometry::Subtract(point, a), along) / length : 0.0;
-  return Geometry::SquaredDistance(point, Geometry::AddScaled(a, std::clamp(share, 0.0, 1.0), along));
-}
-
+/** By the part of the plane that the point's foot is in (Ericson, Real-Time Collision Detection, 5.1.5). */
 double
 ComputeSquaredDistance(const PointType & point, const DelaunayRefinementTriangleGrid::TriangleType & triangle)
 {
   const auto & [a, b, c] = triangle;
-  const PointType normal = Geometry::Cross(Geometry::Subtract(b, a), Geometry::Subtract(c, a));
-  const auto      isInside = [&](const PointType & from, const PointType & to) {
-    return Geometry::Dot(Geometry::Cross(Geometry::Subtract(to, from), Geometry::Subtract(point, from)), normal) >= 0.0;
+  const PointType ab = Geometry::Subtract(b, a);
+  const PointType ac = Geometry::Subtract(c, a);
+  const auto      toEdge = [&point](const PointType & from, double share, const PointType & along) {
+    return Geometry::SquaredDistance(point, Geometry::AddScaled(from, share, along));
   };
-  if (isInside(a, b) && isInside(b, c) && isInside(c, a))
+  const PointType fromA = Geometry::Subtract(point, a);
+  const double    abFromA = Geometry::Dot(ab, fromA);
+  const double    acFromA = Geometry::Dot(ac, fromA);
+  if (abFromA <= 0.0 && acFromA <= 0.0)
   {
-    const double height = Geometry::Dot(Geometry::Subtract(point, a), normal);
-    return height * height / Geometry::Dot(normal, normal);
+    return Geometry::Dot(fromA, fromA);
   }
-  return std::min({ ComputeSquaredDistanceToSegment(point, a, b),
-                    ComputeSquaredDistanceToSegment(point, b, c),
-                    ComputeSquaredDistanceToSegment(point, c, a) });
+  const PointType fromB = Geometry::Subtract(point, b);
+  const double    abFromB = Geometry::Dot(ab, fromB);
+  const double    acFromB = Geometry::Dot(ac, fromB);
+  if (abFromB >= 0.0 && acFromB <= abFromB)
+  {
+    return Geometry::Dot(fromB, fromB);
+  }
+  const double opposesC = abFromA * acFromB - abFromB * acFromA;
+  if (opposesC <= 0.0 && abFromA >= 0.0 && abFromB <= 0.0)
+  {
+    return toEdge(a, abFromA / (abFromA - abFromB), ab);
+  }
+  const PointType fromC = Geometry::Subtract(point, c);
+  const double    abFromC = Geometry::Dot(ab, fromC);
+  const double    acFromC = Geometry::Dot(ac, fromC);
+  if (acFromC >= 0.0 && abFromC <= acFromC)
+  {
+    return Geometry::Dot(fromC, fromC);
+  }
+  const double opposesB = abFromC * acFromA - abFromA * acFromC;
+  if (opposesB <= 0.0 && acFromA >= 0.0 && acFromC <= 0.0)
+  {
+    return toEdge(a, acFromA / (acFromA - acFromC), ac);
+  }
+  const double opposesA = abFromB * acFromC - abFromC * acFromB;
+  const double towardsC = acFromB - abFromB;
+  const double towardsB = abFromC - acFromC;
+  if (opposesA <= 0.0 && towardsC >= 0.0 && towardsB >= 0.0)
+  {
+    return toEdge(b, towardsC / (towardsC + towardsB), Geometry::Subtract(c, b));
+  }
+  const PointType normal = Geometry::Cross(ab, ac);
+  const double    height = Geometry::Dot(fromA, normal);
+  return height * height / Geometry::Dot(normal, normal);
 }
 } // namespace
 
@@ -127,7 +153,7 @@ DelaunayRefinementTriangleGrid::Start(std::vector<TriangleType> triangles)
 }
 
 DelaunayRefinementTriangleGrid::NearType
-DelaunayRefinementTriangleGrid::Find(const PointType & point, double enough, double reach) const
+DelaunayRefinementTriangleGrid::Find(const PointType & point, double enough, double reach, std::uint32_t first) const
 {
   NearType nearest;
   if (m_Triangles.empty())
@@ -137,7 +163,16 @@ DelaunayRefinementTriangleGrid::Find(const PointType & point, double enough, dou
   const double   squaredEnough = enough > 0.0 ? enough * enough : -1.0;
   const CubeType middle = m_Cubes.ToCube(point);
   double         squared = reach * reach;
-  const auto     visit = [&](std::int32_t x, std::int32_t y, std::int32_t z) {
+  if (first != None)
+  {
+    const double own = ComputeSquaredDistance(point, m_Triangles[first]);
+    if (own <= squared)
+    {
+      squared = own;
+      nearest.number = first;
+    }
+  }
+  const auto visit = [&](std::int32_t x, std::int32_t y, std::int32_t z) {
     const std::size_t cube = m_Cubes.ToOffset({ x, y, z });
     for (std::uint32_t i = m_Ends[cube]; i < m_Ends[cube + 1]; ++i)
     {

@@ -46,9 +46,9 @@ public:
   void
   Start(std::vector<TriangleType> triangles);
 
-  /** The nearest triangle of those within \c reach, or one within \c enough. */
+  /** The nearest triangle of those within \c reach, or one within \c enough. Fast if \c first is such a one. */
   NearType
-  Find(const PointType & point, double enough, double reach) const;
+  Find(const PointType & point, double enough, double reach, std::uint32_t first = None) const;
 
   const std::vector<TriangleType> &
   GetTriangles() const
