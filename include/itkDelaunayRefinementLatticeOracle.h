@@ -153,6 +153,12 @@ public:
   std::uint32_t
   FindCavity(const PointType & point) const override;
 
+  /** By the Euler characteristic of what each cell has inside, after FindCavities(). Components and cavities are those
+   * of voxels: grey values between the voxels may part what touches in an edge. Handles smaller than an eighth of a
+   * voxel may be missed. */
+  DelaunayRefinementTopology
+  CountTopology() const override;
+
   /** For each component that was smoothed by less than the width that was asked for: what it was before, and its width
    * (mm), 0 for none. */
   const std::vector<std::pair<DelaunayRefinementComponent, double>> &
@@ -380,6 +386,10 @@ private:
   AddCell(const SurfacePatchIdentifier & cell, const std::array<float, 3> & corner, SurfacePatches & patches) const;
   void
   SplitCell(const SurfacePatchIdentifier & patch, SurfacePatches & parts) const;
+
+  /** Eight times what a cell adds to the Euler characteristic of the object. */
+  std::int64_t
+  CountEightfoldEuler(const IndexType & cell) const;
 
   class ClosestSearch;
 

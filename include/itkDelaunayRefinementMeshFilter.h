@@ -104,6 +104,9 @@ public:
   /** What may stand between the pixels. */
   using InterpolatorType = InterpolateImageFunction<TInputImage, double>;
 
+  /** An image of lengths (mm). */
+  using SizeFieldType = Image<float, 3>;
+
   /** A list of pixel values. */
   using LabelsType = std::vector<InputPixelType>;
 
@@ -199,6 +202,34 @@ public:
   /** @ITKStartGrouping */
   itkSetMacro(HausdorffBound, double);
   itkGetConstMacro(HausdorffBound, double);
+  /** @ITKEndGrouping */
+
+  /** Delta is lowered, down to an eighth of the least spacing, where boundary and surface are joined in different ways,
+   * until the mesh has as many components, cavities and handles as the object in the image; a warning says if that was
+   * not reached. GetStatistics() has the counts. For one object, not for several labels, and with Manifold on, else
+   * Update() throws. Default off. Not in the paper. */
+  /** @ITKStartGrouping */
+  itkSetMacro(PreserveTopology, bool);
+  itkGetConstMacro(PreserveTopology, bool);
+  itkBooleanMacro(PreserveTopology);
+  /** @ITKEndGrouping */
+
+  /** Delta is lowered down to this, in physical units (mm), where the surface is bent or parts are thin: where boundary
+   * and surface are farther from each other than 15 % of the delta there, and than half the least spacing. Finite, not
+   * negative, and no larger than Delta, else Update() throws; 0, the default, leaves Delta as it is. Not in the paper.
+   */
+  /** @ITKStartGrouping */
+  itkSetMacro(MinimumDelta, double);
+  itkGetConstMacro(MinimumDelta, double);
+  /** @ITKEndGrouping */
+
+  /** An image of lengths in physical units (mm): an upper bound on delta at each point of the surface, interpolated
+   * linearly, beside Delta, which holds alone beyond that image. It may have any spacing, origin and direction. Delta
+   * grows from small lengths to large ones by at most half of the distance between them. Unset Delta is the greatest
+   * length then. All pixels must be positive and finite, else Update() throws. Default: none. */
+  /** @ITKStartGrouping */
+  itkSetInputMacro(SizeField, SizeFieldType);
+  itkGetInputMacro(SizeField, SizeFieldType);
   /** @ITKEndGrouping */
 
   /** The filter gives up with an exception before the triangulation (vertices outside the object included) has more
@@ -375,14 +406,29 @@ private:
   ComputeNumberOfThreads();
 
   DelaunayRefinementParameters
-  MakeParameters(const DelaunayRefinementLatticeOracle & oracle, const std::vector<std::uint32_t> & kept);
+  MakeParameters(const DelaunayRefinementLatticeOracle & oracle,
+                 const std::vector<std::uint32_t> &      kept,
+                 double                                  leastSize);
+
+  static void
+  SetSizes(const SizeFieldType * field, double leastSize, DelaunayRefinementParameters & parameters);
 
   void
   VerifyGeometry(const InputImageType * image) const;
 
+  /** Throws unless all its lengths are positive and finite; the least and the greatest one. Infinity and 0 if there is
+   * none. */
+  DelaunayRefinementOracle::RangeType
+  VerifySizeField() const;
+
+  /** How many times as many tetrahedra delta makes where the size field is less. */
+  double
+  EstimateGrowth(const DelaunayRefinementLatticeOracle & oracle, const DelaunayRefinementParameters & parameters) const;
+
   void
   VerifyPrecision(const DelaunayRefinementLatticeOracle & oracle,
-                  const DelaunayRefinementParameters &    parameters) const;
+                  const DelaunayRefinementParameters &    parameters,
+                  double                                  leastSize) const;
 
   void
   VerifyMemory(const DelaunayRefinementLatticeOracle & oracle,
@@ -457,6 +503,8 @@ private:
   bool                               m_RefineOutside{ false };
   bool                               m_Manifold{ true };
   double                             m_HausdorffBound{ 0.0 };
+  bool                               m_PreserveTopology{ false };
+  double                             m_MinimumDelta{ 0.0 };
   SizeValueType                      m_MaximumNumberOfVertices{ NumericTraits<SizeValueType>::max() };
   double                             m_IsoValue{ 0.0 };
   bool                               m_IsoValueIsSet{ false };

@@ -199,6 +199,7 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::GenerateData()
     const auto             preparationStart = Clock::now();
     const InputImageType * image = this->GetInput();
     this->VerifyGeometry(image);
+    const auto                rangeOfSizes = this->VerifySizeField();
     DelaunayRefinementThreads threads(this->ComputeNumberOfThreads());
     ObjectType                object;
     m_RegionLabels = this->ChooseObject(image, threads, object);
@@ -209,7 +210,14 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::GenerateData()
     this->ThrowIfAborted();
     this->VerifyObject(image, oracle);
     m_LoweredSmoothings = oracle.GetLoweredWidths();
-    m_EffectiveDelta = m_DeltaIsSet ? m_Delta : oracle.ComputeDefaultDelta();
+    m_EffectiveDelta = m_DeltaIsSet                      ? m_Delta
+                       : this->GetSizeField() != nullptr ? rangeOfSizes.greatest
+                                                         : oracle.ComputeDefaultDelta();
+    if (m_MinimumDelta > m_EffectiveDelta)
+    {
+      itkExceptionMacro("MinimumDelta is " << m_MinimumDelta << " mm; it must be no larger than Delta, which is "
+                                           << m_EffectiveDelta << " mm");
+    }
     double largestDelta = m_EffectiveDelta;
     for (const auto & labelDelta : m_LabelDeltas)
     {
@@ -218,8 +226,8 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::GenerateData()
     m_Components = oracle.ComputeComponents(largestDelta);
     const std::vector<std::uint32_t> kept = this->LeaveOutNegligibleComponents(oracle);
     m_Cavities = oracle.FindCavities();
-    const DelaunayRefinementParameters parameters = this->MakeParameters(oracle, kept);
-    this->VerifyPrecision(oracle, parameters);
+    const DelaunayRefinementParameters parameters = this->MakeParameters(oracle, kept, rangeOfSizes.least);
+    this->VerifyPrecision(oracle, parameters, rangeOfSizes.least);
     this->VerifyMemory(oracle, kept, parameters);
     m_PreparationSeconds = secondsSince(preparationStart);
 
@@ -263,9 +271,9 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::LeaveOutNegligibleCompon
     if (oracle.HasVolume(m_Components[i]))
     {
       withVolume.push_back(i);
-      // Small ones of several labels may have others around them, and leave no hole there. A bound on the distance
-      // holds for all.
-      if (m_RegionLabels.size() > 1 || m_HausdorffBound > 0.0 ||
+      // Small ones of several labels may have others around them, and leave no hole there. Bounds on distance
+      // and topology hold for all.
+      if (m_RegionLabels.size() > 1 || m_HausdorffBound > 0.0 || m_PreserveTopology ||
           !oracle.IsNegligible(m_Components[i], this->GetDeltaOf(m_Components[i])))
       {
         kept.push_back(i);
@@ -357,7 +365,8 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::ComputeNumberOfThreads()
 template <typename TInputImage, typename TOutputMesh>
 DelaunayRefinementParameters
 DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::MakeParameters(const DelaunayRefinementLatticeOracle & oracle,
-                                                                       const std::vector<std::uint32_t> &      kept)
+                                                                       const std::vector<std::uint32_t> &      kept,
+                                                                       double leastSize)
 {
   DelaunayRefinementParameters parameters;
   parameters.radiusEdgeRatioBound = m_RadiusEdgeRatioBound;
@@ -367,6 +376,22 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::MakeParameters(const Del
   if (m_HausdorffBound > 0.0)
   {
     parameters.hausdorffBound = m_HausdorffBound;
+  }
+  const auto & spacing = this->GetInput()->GetSpacing();
+  const double leastSpacing = *std::min_element(spacing.Begin(), spacing.End());
+  if (m_PreserveTopology)
+  {
+    parameters.topologySize = 0.125 * leastSpacing;
+  }
+  if (m_MinimumDelta > 0.0)
+  {
+    parameters.leastDelta = m_MinimumDelta;
+    parameters.deviationShare = 0.15;
+    parameters.leastDeviation = 0.5 * leastSpacing;
+  }
+  if (this->GetSizeField() != nullptr)
+  {
+    SetSizes(this->GetSizeField(), leastSize, parameters);
   }
   parameters.minimumDihedralAngle = m_MinimumDihedralAngle;
   parameters.maximumNumberOfVertices = m_MaximumNumberOfVertices;
@@ -388,6 +413,23 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::MakeParameters(const Del
   // No component needs more; a box that is far too large for the object would cost precision.
   parameters.delta = *std::max_element(parameters.componentDelta.begin(), parameters.componentDelta.end());
   return parameters;
+}
+
+template <typename TInputImage, typename TOutputMesh>
+void
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::SetSizes(const SizeFieldType *          field,
+                                                                 double                         leastSize,
+                                                                 DelaunayRefinementParameters & parameters)
+{
+  const auto interpolator = LinearInterpolateImageFunction<SizeFieldType, double>::New();
+  interpolator->SetInputImage(field);
+  parameters.sizeField = [field, interpolator](const DelaunayRefinementPoint & point) {
+    const auto index = field->template TransformPhysicalPointToContinuousIndex<double>(Point<double, 3>(point.data()));
+    return interpolator->IsInsideBuffer(index) ? interpolator->EvaluateAtContinuousIndex(index)
+                                               : std::numeric_limits<double>::infinity();
+  };
+  const auto & spacing = field->GetSpacing();
+  parameters.sizeFieldStep = std::max(*std::min_element(spacing.Begin(), spacing.End()), 0.5 * leastSize);
 }
 
 template <typename TInputImage, typename TOutputMesh>
@@ -529,6 +571,8 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::PrintSelf(std::ostream &
   os << indent << "RefineOutside: " << onOff(m_RefineOutside) << '\n';
   os << indent << "Manifold: " << onOff(m_Manifold) << '\n';
   os << indent << "HausdorffBound: " << m_HausdorffBound << '\n';
+  os << indent << "PreserveTopology: " << onOff(m_PreserveTopology) << '\n';
+  os << indent << "MinimumDelta: " << m_MinimumDelta << '\n';
   os << indent << "MaximumNumberOfVertices: " << m_MaximumNumberOfVertices << '\n';
   os << indent << "IsoValue: " << m_IsoValue << '\n';
   os << indent << "IsoValueIsSet: " << onOff(m_IsoValueIsSet) << '\n';

@@ -66,6 +66,14 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::VerifyPreconditions() IT
   {
     itkExceptionMacro("HausdorffBound is " << m_HausdorffBound << "; it must be a length, or 0 for no bound");
   }
+  if (!(m_MinimumDelta >= 0.0 && std::isfinite(m_MinimumDelta)))
+  {
+    itkExceptionMacro("MinimumDelta is " << m_MinimumDelta << "; it must be a length, or 0 for Delta alone");
+  }
+  if (m_PreserveTopology && !m_Manifold)
+  {
+    itkExceptionMacro("PreserveTopology needs a boundary that is a 2-manifold; set Manifold on");
+  }
   if (!(m_MinimumDihedralAngle >= 0.0 && m_MinimumDihedralAngle < 60.0))
   {
     itkExceptionMacro("MinimumDihedralAngle is " << m_MinimumDihedralAngle
@@ -135,6 +143,57 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::VerifyGeometry(const Inp
     itkExceptionMacro("HausdorffBound is " << m_HausdorffBound << " mm; it must be at least " << leastBound
                                            << " times the least spacing of the voxels, which is " << least << " mm");
   }
+}
+
+template <typename TInputImage, typename TOutputMesh>
+DelaunayRefinementOracle::RangeType
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::VerifySizeField() const
+{
+  constexpr double                    infinity = std::numeric_limits<double>::infinity();
+  DelaunayRefinementOracle::RangeType range{ infinity, 0.0 };
+  const SizeFieldType * const         field = this->GetSizeField();
+  if (field == nullptr)
+  {
+    return range;
+  }
+  const std::size_t number = field->GetBufferedRegion().GetNumberOfPixels();
+  for (std::size_t i = 0; i < number; ++i)
+  {
+    const double size = field->GetBufferPointer()[i];
+    if (!(size > 0.0 && std::isfinite(size)))
+    {
+      const auto index = field->ComputeIndex(static_cast<OffsetValueType>(i));
+      itkExceptionMacro("SizeField has the value " << size << " at (" << index[0] << ", " << index[1] << ", "
+                                                   << index[2] << "); all must be positive, finite lengths");
+    }
+    range.least = std::min(range.least, size);
+    range.greatest = std::max(range.greatest, size);
+  }
+  if (number == 0)
+  {
+    itkExceptionMacro("SizeField is empty");
+  }
+  return range;
+}
+
+template <typename TInputImage, typename TOutputMesh>
+double
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::EstimateGrowth(
+  const DelaunayRefinementLatticeOracle & oracle,
+  const DelaunayRefinementParameters &    parameters) const
+{
+  const auto patches = oracle.GetSurfacePatches();
+  if (!parameters.sizeField || patches.GetSize() == 0)
+  {
+    return 1.0;
+  }
+  double sum = 0.0;
+  for (std::size_t i = 0; i < patches.GetSize(); ++i)
+  {
+    const double size = std::min(parameters.delta, parameters.sizeField(patches.Get(i).center));
+    sum += (parameters.delta / size) * (parameters.delta / size);
+  }
+  return sum / static_cast<double>(patches.GetSize());
 }
 
 template <typename TInputImage, typename TOutputMesh>
@@ -277,9 +336,9 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::VerifyObject(
 
 template <typename TInputImage, typename TOutputMesh>
 void
-DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::VerifyPrecision(
-  const DelaunayRefinementLatticeOracle & oracle,
-  const DelaunayRefinementParameters &    parameters) const
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::VerifyPrecision(const DelaunayRefinementLatticeOracle & oracle,
+                                                                        const DelaunayRefinementParameters & parameters,
+                                                                        double leastSize) const
 {
   using CoordinateType = typename OutputMeshType::CoordRepType;
   constexpr double largestShare = 0.05;
@@ -289,7 +348,8 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::VerifyPrecision(
   {
     largest = std::max({ largest, std::abs(bounds.minimum[i]), std::abs(bounds.maximum[i]) });
   }
-  const double least = *std::min_element(parameters.componentDelta.begin(), parameters.componentDelta.end());
+  const double least =
+    std::min(*std::min_element(parameters.componentDelta.begin(), parameters.componentDelta.end()), leastSize);
   if (largest * static_cast<double>(std::numeric_limits<CoordinateType>::epsilon()) > largestShare * least)
   {
     itkExceptionMacro("Coordinates as large as " << largest << " mm can't tell points apart for Delta " << least
@@ -307,7 +367,8 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::VerifyMemory(
 {
   // Measured: some 800 bytes for each tetrahedron of the mesh, those outside it included.
   constexpr double megabytesPerTetrahedron = 1e-3;
-  double           megabytes = megabytesPerTetrahedron * oracle.EstimateNumberOfTetrahedra(parameters);
+  double           megabytes =
+    megabytesPerTetrahedron * oracle.EstimateNumberOfTetrahedra(parameters) * this->EstimateGrowth(oracle, parameters);
   for (std::size_t i = 0; i < kept.size(); ++i)
   {
     if (parameters.componentDelta[i] < parameters.delta)
@@ -391,6 +452,11 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::VerifyLabels() const
                         << static_cast<typename NumericTraits<InputPixelType>::PrintType>(labelDelta.first)
                         << ", which is not meshed; there are " << this->DescribeLabels(m_RegionLabels));
     }
+  }
+  if (m_PreserveTopology && m_RegionLabels.size() > 1)
+  {
+    itkExceptionMacro("PreserveTopology is for one object, and there are "
+                      << this->DescribeLabels(m_RegionLabels) << "; choose one of them, or set MergeLabels");
   }
   const std::string interpolator = m_Interpolator.IsNull() ? "" : m_Interpolator->GetNameOfClass();
   if (m_Smoothing > 0.0 && !interpolator.empty() && interpolator != "LinearInterpolateImageFunction")
@@ -494,10 +560,11 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::ThrowIfStrict() const
     m_MissingLabels.empty() && m_Statistics.missingComponents.empty() && m_Statistics.missingCavities.empty();
   const bool isNear = !(m_HausdorffBound > 0.0) || std::max(m_Statistics.meshToSurface.distance,
                                                             m_Statistics.surfaceToMesh.distance) < m_HausdorffBound;
-  if (m_Strict && !(isComplete && isNear))
+  const bool hasTopology = m_Statistics.meshTopology == m_Statistics.imageTopology;
+  if (m_Strict && !(isComplete && isNear && hasTopology))
   {
     // What is missing is told first.
-    itkExceptionMacro("The mesh is not " << (isComplete ? "near enough" : "complete") << ", as Strict asks for: "
+    itkExceptionMacro("The mesh is not " << (isComplete ? "true to the image" : "complete") << ", as Strict asks for: "
                                          << m_Warnings.front() << "; set a smaller Delta, or leave Strict off");
   }
 }
@@ -580,6 +647,13 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::WarnOfSurface()
       m_Warnings.push_back(text.str());
     }
   };
+  if (!(m_Statistics.meshTopology == m_Statistics.imageTopology))
+  {
+    std::ostringstream text;
+    text << "The mesh has another topology, " << m_Statistics.meshTopology << ", than the object in the image, "
+         << m_Statistics.imageTopology;
+    m_Warnings.push_back(text.str());
+  }
   if (m_HausdorffBound > 0.0)
   {
     warn(m_Statistics.meshToSurface, "the mesh's boundary", "the surface in the image");

@@ -75,6 +75,26 @@ struct DelaunayRefinementParameters
    * not kept. Infinite: no bound, and no distance is measured. */
   double hausdorffBound{ std::numeric_limits<double>::infinity() };
 
+  /** Delta is lowered until the boundary has the topology of the object, but no further than this (mm). Infinite: not
+   * for the sake of topology, which is not counted. Only for one region, and with \c manifold. */
+  double topologySize{ std::numeric_limits<double>::infinity() };
+
+  /** Delta is lowered, but no further than this (mm), where boundary and surface are farther from each other than \c
+   * deviationShare of the delta there, and than \c leastDeviation (mm): where the surface is bent or parts are thin.
+   * Infinite: delta is not lowered for that. */
+  /** @ITKStartGrouping */
+  double leastDelta{ std::numeric_limits<double>::infinity() };
+  double deviationShare{ 0.1 };
+  double leastDeviation{ 0.0 };
+  /** @ITKEndGrouping */
+
+  /** An upper bound on delta at each point of space (mm), positive, which varies in steps of space of about \c
+   * sizeFieldStep (mm). May be called by one thread at a time. Empty: none. */
+  /** @ITKStartGrouping */
+  std::function<double(const DelaunayRefinementPoint &)> sizeField{};
+  double                                                 sizeFieldStep{ 1.0 };
+  /** @ITKEndGrouping */
+
   /** The refinement stops with VERTEX_LIMIT before the triangulation has more vertices. */
   std::uint64_t maximumNumberOfVertices{ std::numeric_limits<std::uint64_t>::max() };
 
@@ -102,6 +122,44 @@ struct DelaunayRefinementDistance
   /** A point of the one surface that is as far from the other. */
   DelaunayRefinementPoint place{};
 };
+
+/** \class DelaunayRefinementTopology
+ * \brief Counts that tell the topology of a solid object whose surface is a 2-manifold.
+ *
+ * \ingroup DelaunayRefinement
+ */
+struct DelaunayRefinementTopology
+{
+  /** Whether it was counted. */
+  bool isKnown{ false };
+
+  /** Parts that hang together. */
+  std::int64_t components{ 0 };
+
+  /** Parts of space outside that the object encloses. */
+  std::int64_t cavities{ 0 };
+
+  /** Of the surface: 2 for each closed piece of it, less 2 for each of its handles. */
+  std::int64_t eulerCharacteristic{ 0 };
+
+  /** Handles of all pieces of the surface together. */
+  std::int64_t
+  GetGenus() const
+  {
+    return components + cavities - eulerCharacteristic / 2;
+  }
+
+  bool
+  operator==(const DelaunayRefinementTopology & other) const
+  {
+    return isKnown == other.isKnown && components == other.components && cavities == other.cavities &&
+           eulerCharacteristic == other.eulerCharacteristic;
+  }
+};
+
+/** Components, cavities and genus. */
+extern DelaunayRefinement_EXPORT std::ostream &
+                                 operator<<(std::ostream & out, const DelaunayRefinementTopology & topology);
 
 /** \class DelaunayRefinementStatistics
  * \brief What the last run did, counted and timed.
@@ -152,6 +210,12 @@ struct DelaunayRefinementStatistics
 
   /** From the surface to the mesh's boundary; the same. */
   DelaunayRefinementDistance surfaceToMesh{};
+
+  /** Topology of the object in the image, and of the mesh; counted if delta may be lowered for its sake. */
+  /** @ITKStartGrouping */
+  DelaunayRefinementTopology imageTopology{};
+  DelaunayRefinementTopology meshTopology{};
+  /** @ITKEndGrouping */
 
   /** For each component for which delta was lowered: its number and the delta that was used. */
   std::vector<std::pair<std::uint32_t, double>> loweredDeltas{};

@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkDelaunayRefinementEngine.h"
 
+#include "itkDelaunayRefinementAccuracy.h"
 #include "itkDelaunayRefinementAudit.h"
 #include "itkDelaunayRefinementBlockQueue.h"
 #include "itkDelaunayRefinementCircumcenters.h"
@@ -24,7 +25,6 @@
 #include "itkDelaunayRefinementEncroachment.h"
 #include "itkDelaunayRefinementFlatTetrahedra.h"
 #include "itkDelaunayRefinementExtraction.h"
-#include "itkDelaunayRefinementFidelity.h"
 #include "itkDelaunayRefinementJunctionSample.h"
 #include "itkDelaunayRefinementLocalDelta.h"
 #include "itkDelaunayRefinementManifoldRepair.h"
@@ -66,16 +66,6 @@ constexpr unsigned int MaximumNumberOfLowerings = 4;
 /** Tetrahedra that are too flat get another vertex, moved by this share of delta. */
 constexpr double       ShapeMove = 1e-3;
 constexpr unsigned int MaximumNumberOfShapeRounds = 20;
-
-/** Where boundary and surface are too far from each other delta gets this share of itself, so often at most, and at
- * least this share of the bound on their distance. */
-constexpr double       DeltaStep = 0.5;
-constexpr double       LeastDeltaShare = 0.125;
-constexpr double       SmallestStep = 0.01;
-constexpr unsigned int MaximumNumberOfFidelityRounds = 40;
-
-/** Steps in which delta varies in space then, over the bound. */
-constexpr double ResolutionShare = 0.5;
 
 /** So often vertices are put where the boundary is no manifold. */
 constexpr unsigned int MaximumNumberOfManifoldRounds = 20;
@@ -204,9 +194,9 @@ private:
   void
   InsertNear(IndexType vertex);
 
-  /** Lowers delta where boundary and surface are too far from each other; false if they are nowhere. */
+  /** Lowers delta where the boundary is not what was asked for; false if it is. */
   bool
-  ImproveFidelity();
+  ImproveAccuracy();
 
   /** Tells the caller how far it is; false if he, now or before, wished to stop. */
   bool
@@ -230,7 +220,7 @@ private:
   std::unique_ptr<DelaunayRefinementEncroachment>   m_Encroachment{};
   std::unique_ptr<DelaunayRefinementCircumcenters>  m_Circumcenters{};
   std::unique_ptr<DelaunayRefinementManifoldRepair> m_Repair{};
-  std::unique_ptr<DelaunayRefinementFidelity>       m_Fidelity{};
+  std::unique_ptr<DelaunayRefinementAccuracy>       m_Accuracy{};
   DelaunayRefinementBlockQueue                      m_R2Queue{};
   DelaunayRefinementQueue                           m_EncroachmentQueue{};
   DelaunayRefinementQueue                           m_R3Queue{};
@@ -245,7 +235,6 @@ private:
   unsigned int                                      m_NumberOfLowerings{ 0 };
   unsigned int                                      m_NumberOfShapeRounds{ 0 };
   unsigned int                                      m_NumberOfManifoldRounds{ 0 };
-  unsigned int                                      m_NumberOfFidelityRounds{ 0 };
   std::size_t                                       m_NumberOfSteps{ 0 };
   std::size_t                                       m_NextQuestion{ ProgressInterval };
   double                                            m_Progress{ 0.0 };
@@ -347,6 +336,8 @@ DelaunayRefinementEngine::Impl::StartComplex(const std::vector<PointType> & seed
   m_Encroachment = std::make_unique<DelaunayRefinementEncroachment>(*m_Complex);
   m_Circumcenters = std::make_unique<DelaunayRefinementCircumcenters>(*m_Complex, *m_Rules, m_Threads);
   m_Repair = std::make_unique<DelaunayRefinementManifoldRepair>(m_Oracle, *m_Rules, *m_Complex, m_Threads);
+  m_Accuracy =
+    std::make_unique<DelaunayRefinementAccuracy>(m_Oracle, m_Parameters, *m_Complex, m_LocalDelta, m_Threads);
   if (!m_Complex->Start(seeds, deltas, m_Threads, [this] { return this->KeepGoing(); }))
   {
     // Half a triangulation is none.
@@ -374,7 +365,7 @@ DelaunayRefinementEngine::Impl::Refine()
     }
     if (!(this->ApplyR1() || this->ApplyR3() || this->ApplyEncroachment() || this->ApplyR2() || this->ApplyR4() ||
           this->MendFlatTetrahedra() || this->LowerDeltaOfMissingComponents() || this->MakeManifold() ||
-          this->ImproveFidelity()))
+          this->ImproveAccuracy()))
     {
       return;
     }
@@ -791,43 +782,12 @@ DelaunayRefinementEngine::Impl::InsertNear(IndexType vertex)
 }
 
 bool
-DelaunayRefinementEngine::Impl::ImproveFidelity()
+DelaunayRefinementEngine::Impl::ImproveAccuracy()
 {
-  const double bound = m_Parameters.hausdorffBound;
-  if (std::isinf(bound))
+  if (!m_Accuracy->Improve(m_Statistics))
   {
     return false;
   }
-  if (m_Fidelity == nullptr)
-  {
-    m_Fidelity = std::make_unique<DelaunayRefinementFidelity>(m_Oracle, *m_Complex, m_LocalDelta, m_Threads, bound);
-  }
-  const auto          places = m_Fidelity->FindFarPlaces();
-  std::vector<double> deltas;
-  deltas.reserve(places.size());
-  for (const auto & place : places)
-  {
-    deltas.push_back(m_LocalDelta.GetAt(place.center));
-  }
-  bool isLowered = false;
-  for (std::size_t i = 0; i < places.size() && m_NumberOfFidelityRounds < MaximumNumberOfFidelityRounds; ++i)
-  {
-    // Another place nearby may have seen to it.
-    const double lowered = std::max(DeltaStep * deltas[i], LeastDeltaShare * bound);
-    if (lowered < (1.0 - SmallestStep) * m_LocalDelta.GetAt(places[i].center))
-    {
-      m_LocalDelta.LowerAround(places[i].center, places[i].radius, lowered, ResolutionShare * bound);
-      isLowered = true;
-    }
-  }
-  if (!isLowered)
-  {
-    m_Statistics.meshToSurface = m_Fidelity->MeasureFromFacets();
-    m_Statistics.surfaceToMesh = m_Fidelity->MeasureFromSurface();
-    return false;
-  }
-  m_LocalDelta.Grade();
-  ++m_NumberOfFidelityRounds;
   m_Repair->Undo();
   m_IsSampleOpen = true;
   return true;

@@ -47,6 +47,9 @@ constexpr double ReachShare = 0.5;
 /** How well distances are measured, over the bound. */
 constexpr double ToleranceShare = 0.1;
 
+/** Delta is lowered to this share of the bound at most. */
+constexpr double LeastDeltaShare = 0.125;
+
 constexpr std::size_t PiecesAtATime = 1024;
 
 /** A piece of either surface, by how far it may be from the other at most: in a queue the farthest is next. */
@@ -112,15 +115,18 @@ Split(const TriangleType & triangle)
 } // namespace
 
 DelaunayRefinementFidelity::DelaunayRefinementFidelity(const DelaunayRefinementOracle &     oracle,
+                                                       const DelaunayRefinementParameters & parameters,
                                                        const DelaunayRefinementComplex &    complex,
                                                        const DelaunayRefinementLocalDelta & localDelta,
-                                                       DelaunayRefinementThreads &          threads,
-                                                       double                               bound)
+                                                       DelaunayRefinementThreads &          threads)
   : m_Oracle(oracle)
+  , m_Parameters(parameters)
   , m_Complex(complex)
   , m_LocalDelta(localDelta)
   , m_Threads(threads)
-  , m_Bound(bound)
+  , m_Tolerance(ToleranceShare *
+                std::min(parameters.hausdorffBound,
+                         std::max(parameters.deviationShare * parameters.leastDelta, parameters.leastDeviation)))
 {
   const auto patches = oracle.GetSurfacePatches();
   m_Pieces.reserve(patches.GetSize());
@@ -128,6 +134,21 @@ DelaunayRefinementFidelity::DelaunayRefinementFidelity(const DelaunayRefinementO
   {
     m_Pieces.push_back({ patches.Get(i), {} });
   }
+}
+
+DelaunayRefinementFidelity::BoundType
+DelaunayRefinementFidelity::GetBound(const PointType & center, double radius) const
+{
+  const double    overall = m_Parameters.hausdorffBound;
+  const BoundType bound{ overall, LeastDeltaShare * overall };
+  if (std::isinf(m_Parameters.leastDelta))
+  {
+    return bound;
+  }
+  const double delta = m_LocalDelta.GetRange(center, radius).least;
+  const double deviation = std::max(m_Parameters.deviationShare * delta, m_Parameters.leastDeviation);
+  return deviation < overall && delta > m_Parameters.leastDelta ? BoundType{ deviation, m_Parameters.leastDelta }
+                                                                : bound;
 }
 
 std::vector<DelaunayRefinementFidelity::PlaceType>
@@ -139,8 +160,8 @@ DelaunayRefinementFidelity::FindFarPlaces()
   {
     if (static_cast<double>(places.size()) <= FewPlaces * static_cast<double>(m_Facets.size()))
     {
-      this->CertifySurface(share * m_Bound, places);
-      this->CertifyFacets(share * m_Bound, places);
+      this->CertifySurface(share, places);
+      this->CertifyFacets(share, places);
     }
   }
   return places;
@@ -219,9 +240,10 @@ DelaunayRefinementFidelity::CertifySurface(double smallest, std::vector<PlaceTyp
 bool
 DelaunayRefinementFidelity::CertifyPatch(const PatchType & patch, double smallest, PartType & part) const
 {
-  const double room = m_Bound - patch.radius;
-  const double far = FarShare * m_Bound;
-  const auto   near = m_Grid.Find(patch.center, room, m_Bound + patch.radius, part.nearest);
+  const BoundType bound = this->GetBound(patch.center, patch.radius);
+  const double    room = bound.distance - patch.radius;
+  const double    far = FarShare * bound.distance;
+  const auto      near = m_Grid.Find(patch.center, room, bound.distance + patch.radius, part.nearest);
   if (near.number != DelaunayRefinementTriangleGrid::None)
   {
     part.nearest = near.number;
@@ -231,21 +253,21 @@ DelaunayRefinementFidelity::CertifyPatch(const PatchType & patch, double smalles
     part.pieces.push_back({ patch, m_Facets[near.number] });
     return true;
   }
-  if (patch.radius < SmallShare * m_Bound || near.distance - patch.radius > far)
+  if (patch.radius < SmallShare * bound.distance || near.distance - patch.radius > far)
   {
     PointType point;
     if (!m_Oracle.FindPointOfPatch(patch.identifier, point))
     {
       return true;
     }
-    if (m_Grid.Find(point, far, m_Bound, part.nearest).distance > far)
+    if (m_Grid.Find(point, far, bound.distance, part.nearest).distance > far)
     {
       part.pieces.push_back({ patch, {} });
-      part.places.push_back({ point, ReachShare * m_LocalDelta.GetAt(point) });
+      part.places.push_back({ point, ReachShare * m_LocalDelta.GetAt(point), bound.leastDelta });
       return false;
     }
   }
-  if (patch.radius < smallest)
+  if (patch.radius < smallest * bound.distance)
   {
     part.pieces.push_back({ patch, {} });
     return true;
@@ -285,10 +307,12 @@ DelaunayRefinementFidelity::CertifyFacets(double smallest, std::vector<PlaceType
           continue;
         }
         // Vertices are on the surface.
-        PlaceType        place{ {}, 0.0 };
-        const AnswerEnum answer = GetReachOfVertices(triangle) < m_Bound
+        const BallType   ball = FindBall(triangle);
+        const BoundType  bound = this->GetBound(ball.center, ball.radius);
+        PlaceType        place{ {}, 0.0, bound.leastDelta };
+        const AnswerEnum answer = GetReachOfVertices(triangle) < bound.distance
                                     ? AnswerEnum::CERTIFIED
-                                    : this->CertifyTriangle(triangle, smallest, place.center);
+                                    : this->CertifyTriangle(triangle, bound.distance, smallest, place.center);
         if (answer == AnswerEnum::CERTIFIED)
         {
           certified = facet.generation;
@@ -311,26 +335,29 @@ DelaunayRefinementFidelity::CertifyFacets(double smallest, std::vector<PlaceType
 }
 
 DelaunayRefinementFidelity::AnswerEnum
-DelaunayRefinementFidelity::CertifyTriangle(const TriangleType & triangle, double smallest, PointType & place) const
+DelaunayRefinementFidelity::CertifyTriangle(const TriangleType & triangle,
+                                            double               bound,
+                                            double               smallest,
+                                            PointType &          place) const
 {
   const BallType ball = FindBall(triangle);
-  if (ball.radius < m_Bound && m_Oracle.IsSurfaceWithin(ball.center, m_Bound - ball.radius))
+  if (ball.radius < bound && m_Oracle.IsSurfaceWithin(ball.center, bound - ball.radius))
   {
     return AnswerEnum::CERTIFIED;
   }
-  if (!m_Oracle.IsSurfaceWithin(ball.center, FarShare * m_Bound))
+  if (!m_Oracle.IsSurfaceWithin(ball.center, FarShare * bound))
   {
     place = ball.center;
     return AnswerEnum::TOO_FAR;
   }
-  if (ball.radius < smallest)
+  if (ball.radius < smallest * bound)
   {
     return AnswerEnum::OPEN;
   }
   AnswerEnum answer = AnswerEnum::CERTIFIED;
   for (const TriangleType & part : Split(triangle))
   {
-    const AnswerEnum own = this->CertifyTriangle(part, smallest, place);
+    const AnswerEnum own = this->CertifyTriangle(part, bound, smallest, place);
     if (own == AnswerEnum::TOO_FAR)
     {
       return own;
@@ -350,24 +377,23 @@ DelaunayRefinementFidelity::MeasureFromFacets() const
     queue.push({ GetReachOfVertices(triangle), triangle });
   }
   DistanceType greatest{ 0.0, {} };
-  const double tolerance = ToleranceShare * m_Bound;
-  while (!queue.empty() && queue.top().most > greatest.distance + tolerance)
+  while (!queue.empty() && queue.top().most > greatest.distance + m_Tolerance)
   {
     const auto     piece = queue.top();
     const BallType ball = FindBall(piece.piece);
-    const double   enough = greatest.distance + tolerance - ball.radius;
+    const double   enough = greatest.distance + m_Tolerance - ball.radius;
     queue.pop();
     if (enough > 0.0 && m_Oracle.IsSurfaceWithin(ball.center, enough))
     {
       continue;
     }
     double most = piece.most;
-    if (ball.radius <= tolerance)
+    if (ball.radius <= m_Tolerance)
     {
       // Well enough known by some questions: the closest point would take far longer.
       double low = std::max(enough, 0.0);
       double high = piece.most;
-      while (high - low > 0.25 * tolerance)
+      while (high - low > 0.25 * m_Tolerance)
       {
         const double middle = 0.5 * (low + high);
         (m_Oracle.IsSurfaceWithin(ball.center, middle) ? high : low) = middle;
@@ -393,7 +419,7 @@ DelaunayRefinementFidelity::MeasureFromSurface() const
   std::priority_queue<PieceType<PatchType>> queue;
   const auto                                push = [&](const PatchType & patch) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    const double     enough = greatest.distance + ToleranceShare * m_Bound - patch.radius;
+    const double     enough = greatest.distance + m_Tolerance - patch.radius;
     const double     distance = m_Grid.Find(patch.center, enough, infinity).distance;
     PointType        point;
     if (distance <= enough || !m_Oracle.FindPointOfPatch(patch.identifier, point))
@@ -411,7 +437,7 @@ DelaunayRefinementFidelity::MeasureFromSurface() const
   {
     push(piece.patch);
   }
-  while (!queue.empty() && queue.top().most > greatest.distance + ToleranceShare * m_Bound)
+  while (!queue.empty() && queue.top().most > greatest.distance + m_Tolerance)
   {
     const PatchType patch = queue.top().piece;
     queue.pop();

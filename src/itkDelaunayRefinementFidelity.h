@@ -40,27 +40,29 @@ public:
   using IndexType = DelaunayRefinementComplex::IndexType;
   using DistanceType = DelaunayRefinementDistance;
 
+  /** Bounds of the \c parameters: that on the distance, and that over delta. */
   DelaunayRefinementFidelity(const DelaunayRefinementOracle &     oracle,
+                             const DelaunayRefinementParameters & parameters,
                              const DelaunayRefinementComplex &    complex,
                              const DelaunayRefinementLocalDelta & localDelta,
-                             DelaunayRefinementThreads &          threads,
-                             double                               bound);
+                             DelaunayRefinementThreads &          threads);
 
-  /** A ball around what is too far, in which delta should be lowered. */
+  /** A ball around what is too far, in which delta should be lowered, no further than to \c leastDelta. */
   struct PlaceType
   {
     PointType center;
     double    radius;
+    double    leastDelta;
   };
 
   /** Points of the surface that are too far from the facets, and facets with points too far from the surface; none if
    * all are certified to be nearer than the bound. Points count as too far beyond 9/10 of it. Not all such places are
-   * listed: small pieces are asked only if larger ones show none. */
+   * listed: small pieces are asked only if larger ones show next to none. */
   std::vector<PlaceType>
   FindFarPlaces();
 
   /** After FindFarPlaces(): the greatest distances from the facets to the surface, and from there to the facets. Each
-   * is that of its place; no other is greater by more than a tenth of the bound. */
+   * is that of its place; no other is greater by more than a tenth of the bound on it. */
   DistanceType
   MeasureFromFacets() const;
   DistanceType
@@ -100,6 +102,16 @@ private:
     }
   };
 
+  struct BoundType
+  {
+    double distance;
+    double leastDelta; // that may be asked for where it is not kept
+  };
+
+  /** The bound for pieces of surface in a ball. */
+  BoundType
+  GetBound(const PointType & center, double radius) const;
+
   bool
   PartsRegions(const FacetType & facet) const;
 
@@ -116,8 +128,8 @@ private:
     OPEN // pieces would have to be smaller
   };
 
-  /** Certify what they can without splitting pieces of a radius below \c smallest; a patch up to its first place that
-   * is too far, for which the answer is false. */
+  /** Certify what they can without splitting pieces of a radius below \c smallest, over the bound; a patch up to its
+   * first place that is too far, for which the answer is false. */
   void
   CertifySurface(double smallest, std::vector<PlaceType> & places);
   bool
@@ -125,15 +137,17 @@ private:
   void
   CertifyFacets(double smallest, std::vector<PlaceType> & places);
 
-  /** Whether all points of a triangle are near the surface; \c place is one of them if that is too far. */
+  /** Whether all points of a triangle are nearer to the surface than \c bound; \c place is one of them if that is too
+   * far. */
   AnswerEnum
-  CertifyTriangle(const TriangleType & triangle, double smallest, PointType & place) const;
+  CertifyTriangle(const TriangleType & triangle, double bound, double smallest, PointType & place) const;
 
   const DelaunayRefinementOracle &       m_Oracle;
+  const DelaunayRefinementParameters &   m_Parameters;
   const DelaunayRefinementComplex &      m_Complex;
   const DelaunayRefinementLocalDelta &   m_LocalDelta;
   DelaunayRefinementThreads &            m_Threads;
-  double                                 m_Bound;
+  double                                 m_Tolerance; // of measured distances
   std::vector<FacetType>                 m_Facets{};
   DelaunayRefinementTriangleGrid         m_Grid{}; // of the facets, with their numbers
   std::vector<CertifiedType>             m_Pieces{};

@@ -37,6 +37,12 @@ DelaunayRefinementLocalDelta::DelaunayRefinementLocalDelta(const DelaunayRefinem
   {
     this->Lower(static_cast<ComponentType>(i), parameters.componentDelta[i]);
   }
+  if (parameters.sizeField)
+  {
+    m_Field.Start(m_Bounds, parameters.sizeFieldStep, m_Delta);
+    m_Minimum = std::min(m_Minimum, m_Field.Lower(parameters.sizeField));
+    m_Field.Grade();
+  }
 }
 
 DelaunayRefinementLocalDelta::BoxIndexType

@@ -48,6 +48,13 @@ public:
   RangeType
   GetRange(const PatchType & patch) const;
 
+  /** Bounds on what delta is lowered to within \c radius of a point, but for components. */
+  RangeType
+  GetRange(const PointType & point, double radius) const
+  {
+    return m_Field.IsStarted() ? m_Field.GetRange(point, radius) : RangeType{ m_Delta, m_Delta };
+  }
+
   double
   GetOfComponent(ComponentType component) const
   {
@@ -77,8 +84,8 @@ public:
   void
   Lower(ComponentType component, double delta);
 
-  /** Lowers delta within \c radius of a point. The first call says in which steps of space delta varies: \c resolution.
-   */
+  /** Lowers delta within \c radius of a point. Unless there is a size field the first call says in which steps of space
+   * delta varies: \c resolution. */
   void
   LowerAround(const PointType & point, double radius, double delta, double resolution);
 

@@ -141,4 +141,10 @@ DelaunayRefinementOracle::GetComponentBounds(ComponentType) const
 {
   return this->GetSurfaceBounds();
 }
+
+DelaunayRefinementTopology
+DelaunayRefinementOracle::CountTopology() const
+{
+  return {};
+}
 } // end namespace itk

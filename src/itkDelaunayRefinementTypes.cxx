@@ -20,6 +20,17 @@
 namespace itk
 {
 std::ostream &
+operator<<(std::ostream & out, const DelaunayRefinementTopology & topology)
+{
+  if (!topology.isKnown)
+  {
+    return out << "not counted";
+  }
+  return out << topology.components << " components, " << topology.cavities << " cavities, genus "
+             << topology.GetGenus();
+}
+
+std::ostream &
 operator<<(std::ostream & out, const DelaunayRefinementStatistics & statistics)
 {
   out << statistics.terminationReason << "; insertions";
@@ -44,6 +55,7 @@ operator<<(std::ostream & out, const DelaunayRefinementStatistics & statistics)
              << "; missing cavities " << statistics.missingCavities.size() << "; lowered deltas "
              << statistics.loweredDeltas.size() << "; changed tetrahedra " << statistics.changedTetrahedra
              << "; non-manifold vertices " << statistics.nonManifoldVertices << "; mesh to surface "
-             << statistics.meshToSurface.distance << ", surface to mesh " << statistics.surfaceToMesh.distance;
+             << statistics.meshToSurface.distance << ", surface to mesh " << statistics.surfaceToMesh.distance
+             << "; topology of the image " << statistics.imageTopology << ", of the mesh " << statistics.meshTopology;
 }
 } // end namespace itk

@@ -85,6 +85,21 @@ AddSizeOptions(CLI::App & app, Options & options)
     ->type_name("LABEL=MM")
     ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
     ->group(group);
+  AddValue(app, "--delta-max", "MM", options.delta, ParsePositive, "the same as --delta, beside --delta-min")
+    ->group(group);
+  AddValue(app,
+           "--delta-min",
+           "MM",
+           options.minimumDelta,
+           ParsePositive,
+           "lower delta down to this where the surface is bent or parts are thin; default: nowhere")
+    ->group(group);
+  app
+    .add_option("--size-field",
+                options.sizeField,
+                "an image of lengths in mm with a grid of its own: delta is no larger at any point")
+    ->type_name("FILE")
+    ->group(group);
   AddValue(
     app, "--cell-size", "MM", options.cellSize, ParsePositive, "upper bound on circumradii inside; default: none")
     ->group(group);
@@ -108,6 +123,10 @@ AddSizeOptions(CLI::App & app, Options & options)
            options.hausdorffBound,
            ParsePositive,
            "upper bound on the distance between boundary and surface, both ways; default: none")
+    ->group(group);
+  app
+    .add_flag(
+      "--topology", options.topology, "lower delta until the mesh has the image's components, cavities and handles")
     ->group(group);
   app.add_flag("--allow-non-manifold", options.allowNonManifold, "leave the boundary as the rules make it")
     ->group(group);
@@ -168,6 +187,10 @@ RejectContradictions(const CLI::App & app)
                                                                          { "--iso-value", "--merge-labels" },
                                                                          { "--threshold", "--labels" },
                                                                          { "--threshold", "--merge-labels" } };
+  if (app.count("--delta") > 0 && app.count("--delta-max") > 0)
+  {
+    throw UsageError("--delta and --delta-max mean the same: give one of them");
+  }
   for (const auto & [first, second] : contradictions)
   {
     if (app.count(first) > 0 && app.count(second) > 0)

@@ -58,6 +58,9 @@ struct Options
   bool                                          refineOutside{ false };
   bool                                          allowNonManifold{ false };
   std::optional<double>                         hausdorffBound;
+  bool                                          topology{ false };
+  std::optional<double>                         minimumDelta;
+  std::string                                   sizeField;
   std::optional<std::uint64_t>                  maximumNumberOfVertices;
 
   bool                         largestComponent{ false };

@@ -55,6 +55,16 @@ PrintReport(std::ostream & out, const Report & report)
        << "delta " << run.delta << " mm" << (report.options.delta ? "" : " (chosen from the image)") << "; components "
        << run.components.size() << ", not in the mesh " << statistics.missingComponents.size() << "; cavities "
        << run.cavities.size() << ", not in the mesh " << statistics.missingCavities.size() << "\n";
+  if (statistics.meshTopology.isKnown)
+  {
+    text << "topology of the mesh: " << statistics.meshTopology << "; in the image: " << statistics.imageTopology
+         << "\n";
+  }
+  if (statistics.meshToSurface.distance >= 0.0)
+  {
+    text << "from the mesh to the surface at most " << statistics.meshToSurface.distance
+         << " mm, from there to the mesh " << statistics.surfaceToMesh.distance << " mm\n";
+  }
 
   text << std::fixed << std::setprecision(3) << "seconds: reading " << run.readingSeconds << ", preparation "
        << run.preparationSeconds << ", sampling " << statistics.samplingSeconds << ", insertion "

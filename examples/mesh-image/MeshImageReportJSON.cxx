@@ -51,6 +51,9 @@ Parameters(const Options & options)
            { "radius_edge_bound", OrNull(options.radiusEdgeBound) },
            { "min_dihedral", OrNull(options.minimumDihedralAngle) },
            { "hausdorff_bound", OrNull(options.hausdorffBound) },
+           { "topology", options.topology },
+           { "delta_min", OrNull(options.minimumDelta) },
+           { "size_field", options.sizeField.empty() ? Json() : Json(options.sizeField) },
            { "allow_non_manifold", options.allowNonManifold },
            { "refine_outside", options.refineOutside },
            { "max_vertices", OrNull(options.maximumNumberOfVertices) },
@@ -174,6 +177,17 @@ Distance(const itk::DelaunayRefinementDistance & distance)
   return distance.distance < 0.0 ? Json() : Json{ { "distance", distance.distance }, { "place", distance.place } };
 }
 
+/** Null if it was not counted. */
+Json
+Topology(const itk::DelaunayRefinementTopology & topology)
+{
+  return topology.isKnown ? Json{ { "components", topology.components },
+                                  { "cavities", topology.cavities },
+                                  { "genus", topology.GetGenus() },
+                                  { "euler_characteristic", topology.eulerCharacteristic } }
+                          : Json();
+}
+
 Json
 LoweredDeltas(const Run & run)
 {
@@ -238,6 +252,8 @@ Compose(const Report & report)
            { "non_manifold_vertices", run.statistics.nonManifoldVertices },
            { "mesh_to_surface", Distance(run.statistics.meshToSurface) },
            { "surface_to_mesh", Distance(run.statistics.surfaceToMesh) },
+           { "image_topology", Topology(run.statistics.imageTopology) },
+           { "mesh_topology", Topology(run.statistics.meshTopology) },
            { "lowered_smoothings", LoweredSmoothings(run) },
            { "warnings", run.warnings },
            { "termination", Name(run.statistics.terminationReason) } };

@@ -19,14 +19,12 @@
 #define MeshImageRun_hxx
 
 #include "MeshImageMessages.h"
+#include "MeshImageReading.h"
 #include "MeshImageRun.h"
-#include "MeshImageStandardError.h"
 #include "MeshImageStopwatch.h"
 
 #include "itkBSplineInterpolateImageFunction.h"
 #include "itkDelaunayRefinementMeshFilter.h"
-#include "itkImage.h"
-#include "itkImageFileReader.h"
 #include "itkNearestNeighborInterpolateImageFunction.h"
 
 #include <limits>
@@ -34,28 +32,6 @@
 
 namespace meshimage
 {
-template <typename TImage>
-typename TImage::Pointer
-ReadImage(const Options & options, itk::ImageIOBase * io)
-{
-  const auto reader = itk::ImageFileReader<TImage>::New();
-  reader->SetFileName(options.image);
-  reader->SetImageIO(io);
-  const SilencedLibraries silence;
-  try
-  {
-    reader->Update();
-  }
-  catch (const itk::ExceptionObject & error)
-  {
-    throw RunError(options.image + " cannot be read; it may be truncated or damaged, copy or export it again (" +
-                   PlainMessage(error) + ")");
-  }
-  const typename TImage::Pointer image = reader->GetOutput();
-  image->DisconnectPipeline();
-  return image;
-}
-
 /** A label that an option names. */
 template <typename TPixel>
 TPixel
@@ -137,6 +113,11 @@ SetSizes(TFilter & filter, const Options & options)
   {
     filter.SetHausdorffBound(*options.hausdorffBound);
   }
+  filter.SetPreserveTopology(options.topology);
+  if (options.minimumDelta)
+  {
+    filter.SetMinimumDelta(*options.minimumDelta);
+  }
   if (options.maximumNumberOfVertices)
   {
     filter.SetMaximumNumberOfVertices(*options.maximumNumberOfVertices);
@@ -173,7 +154,11 @@ RunFilterOnPixels(const Options & options, itk::ImageIOBase * io, const Progress
   const Stopwatch reading;
   progress("Reading", 0.0);
   const auto filter = FilterType::New();
-  filter->SetInput(ReadImage<ImageType>(options, io));
+  filter->SetInput(ReadImage<ImageType>(options.image, io));
+  if (!options.sizeField.empty())
+  {
+    filter->SetSizeField(ReadSizeField(options.sizeField));
+  }
   run.readingSeconds = reading.GetSeconds();
 
   SetObject(*filter, options);

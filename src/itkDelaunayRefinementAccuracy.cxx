@@ -1,0 +1,141 @@
+/*=========================================================================
+ *
+ *  Copyright The DelaunayRefinement Contributors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkDelaunayRefinementAccuracy.h"
+
+#include "itkDelaunayRefinementMeshTopology.h"
+
+#include <algorithm>
+
+namespace itk
+{
+namespace
+{
+/** Delta gets this share of itself, unless that is next to nothing. */
+constexpr double DeltaStep = 0.5;
+constexpr double SmallestStep = 0.01;
+
+constexpr unsigned int MaximumNumberOfRounds = 40;
+
+/** Steps in which delta varies in space: over the bound on the distance, and over the least deltas. */
+constexpr double BoundResolution = 0.5;
+constexpr double DeltaResolution = 1.0;
+constexpr double TopologyResolution = 2.0;
+
+/** Delta is lowered within this share of it around surface that the boundary does not show. */
+constexpr double HiddenShare = 0.5;
+} // namespace
+
+DelaunayRefinementAccuracy::DelaunayRefinementAccuracy(const DelaunayRefinementOracle &     oracle,
+                                                       const DelaunayRefinementParameters & parameters,
+                                                       const DelaunayRefinementComplex &    complex,
+                                                       DelaunayRefinementLocalDelta &       localDelta,
+                                                       DelaunayRefinementThreads &          threads)
+  : m_Oracle(oracle)
+  , m_Parameters(parameters)
+  , m_Complex(complex)
+  , m_LocalDelta(localDelta)
+  , m_Threads(threads)
+  , m_Resolution(std::min({ BoundResolution * parameters.hausdorffBound,
+                            DeltaResolution * parameters.leastDelta,
+                            TopologyResolution * parameters.topologySize }))
+{}
+
+bool
+DelaunayRefinementAccuracy::HasBoundOnDistance() const
+{
+  return std::isfinite(m_Parameters.hausdorffBound) || std::isfinite(m_Parameters.leastDelta);
+}
+
+bool
+DelaunayRefinementAccuracy::Improve(DelaunayRefinementStatistics & statistics)
+{
+  if (this->HasBoundOnDistance() && this->ImproveDistance())
+  {
+    return true;
+  }
+  if (std::isfinite(m_Parameters.topologySize) && this->ImproveTopology(statistics))
+  {
+    return true;
+  }
+  if (m_Fidelity != nullptr)
+  {
+    statistics.meshToSurface = m_Fidelity->MeasureFromFacets();
+    statistics.surfaceToMesh = m_Fidelity->MeasureFromSurface();
+  }
+  return false;
+}
+
+bool
+DelaunayRefinementAccuracy::ImproveDistance()
+{
+  if (m_Fidelity == nullptr)
+  {
+    m_Fidelity =
+      std::make_unique<DelaunayRefinementFidelity>(m_Oracle, m_Parameters, m_Complex, m_LocalDelta, m_Threads);
+  }
+  return this->Lower(m_Fidelity->FindFarPlaces());
+}
+
+bool
+DelaunayRefinementAccuracy::ImproveTopology(DelaunayRefinementStatistics & statistics)
+{
+  if (!statistics.imageTopology.isKnown)
+  {
+    statistics.imageTopology = m_Oracle.CountTopology();
+  }
+  statistics.meshTopology = CountDelaunayRefinementMeshTopology(m_Complex);
+  if (statistics.meshTopology == statistics.imageTopology)
+  {
+    return false;
+  }
+  std::vector<PlaceType> places;
+  for (const PointType & point : FindHiddenDelaunayRefinementSurface(m_Oracle, m_Complex, m_Threads))
+  {
+    places.push_back({ point, HiddenShare * m_LocalDelta.GetAt(point), m_Parameters.topologySize });
+  }
+  return this->Lower(places);
+}
+
+bool
+DelaunayRefinementAccuracy::Lower(const std::vector<PlaceType> & places)
+{
+  std::vector<double> deltas;
+  deltas.reserve(places.size());
+  for (const auto & place : places)
+  {
+    deltas.push_back(m_LocalDelta.GetAt(place.center));
+  }
+  bool isLowered = false;
+  for (std::size_t i = 0; i < places.size() && m_NumberOfRounds < MaximumNumberOfRounds; ++i)
+  {
+    // Another place nearby may have seen to it.
+    const double lowered = std::max(DeltaStep * deltas[i], places[i].leastDelta);
+    if (lowered < (1.0 - SmallestStep) * m_LocalDelta.GetAt(places[i].center))
+    {
+      m_LocalDelta.LowerAround(places[i].center, places[i].radius, lowered, m_Resolution);
+      isLowered = true;
+    }
+  }
+  if (isLowered)
+  {
+    m_LocalDelta.Grade();
+    ++m_NumberOfRounds;
+  }
+  return isLowered;
+}
+} // end namespace itk

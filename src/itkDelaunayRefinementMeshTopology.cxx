@@ -1,0 +1,139 @@
+/*=========================================================================
+ *
+ *  Copyright The DelaunayRefinement Contributors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkDelaunayRefinementMeshTopology.h"
+
+namespace itk
+{
+namespace
+{
+using IndexType = DelaunayRefinementComplex::IndexType;
+
+constexpr std::size_t CellsPerPiece = 4096;
+
+/** Parts of what is inside, or outside, that facets join. */
+std::int64_t
+CountParts(const DelaunayRefinementComplex & complex, bool isInside)
+{
+  const auto &           triangulation = complex.GetTriangulation();
+  const auto             belongs = [&](IndexType cell) { return (complex.GetRegion(cell) != 0) == isInside; };
+  std::vector<bool>      isSeen(triangulation.GetNumberOfCellIndexes(), false);
+  std::vector<IndexType> stack;
+  std::int64_t           parts = 0;
+  for (IndexType first = 0; first < isSeen.size(); ++first)
+  {
+    if (isSeen[first] || !triangulation.IsAlive(first) || !belongs(first))
+    {
+      continue;
+    }
+    ++parts;
+    isSeen[first] = true;
+    stack.push_back(first);
+    while (!stack.empty())
+    {
+      const IndexType cell = stack.back();
+      stack.pop_back();
+      for (const IndexType neighbor : triangulation.GetCell(cell).neighbors)
+      {
+        if (!isSeen[neighbor] && belongs(neighbor))
+        {
+          isSeen[neighbor] = true;
+          stack.push_back(neighbor);
+        }
+      }
+    }
+  }
+  return parts;
+}
+} // namespace
+
+DelaunayRefinementTopology
+CountDelaunayRefinementMeshTopology(const DelaunayRefinementComplex & complex)
+{
+  const auto &      triangulation = complex.GetTriangulation();
+  std::vector<bool> isOnBoundary(triangulation.GetNumberOfVertexIndexes(), false);
+  std::int64_t      vertices = 0;
+  std::int64_t      facets = 0;
+  for (IndexType index = 0; index < triangulation.GetNumberOfCellIndexes(); ++index)
+  {
+    if (!triangulation.IsAlive(index) || complex.GetRegion(index) == 0)
+    {
+      continue;
+    }
+    const auto & cell = triangulation.GetCell(index);
+    for (unsigned int i = 0; i < 4; ++i)
+    {
+      if (complex.GetRegion(cell.neighbors[i]) != 0)
+      {
+        continue;
+      }
+      ++facets;
+      for (const unsigned int corner : DelaunayRefinementComplex::OutwardFacets[i])
+      {
+        const IndexType vertex = cell.vertices[corner];
+        vertices += isOnBoundary[vertex] ? 0 : 1;
+        isOnBoundary[vertex] = true;
+      }
+    }
+  }
+  DelaunayRefinementTopology topology;
+  topology.isKnown = true;
+  topology.components = CountParts(complex, true);
+  // All but what is around the object.
+  topology.cavities = CountParts(complex, false) - 1;
+  // Two facets share each edge.
+  topology.eulerCharacteristic = vertices - facets / 2;
+  return topology;
+}
+
+std::vector<DelaunayRefinementPoint>
+FindHiddenDelaunayRefinementSurface(const DelaunayRefinementOracle &  oracle,
+                                    const DelaunayRefinementComplex & complex,
+                                    DelaunayRefinementThreads &       threads)
+{
+  using PointsType = std::vector<DelaunayRefinementPoint>;
+  const auto &            triangulation = complex.GetTriangulation();
+  const std::size_t       numberOfCells = triangulation.GetNumberOfCellIndexes();
+  std::vector<PointsType> parts(DelaunayRefinementThreads::CountPieces(numberOfCells, CellsPerPiece));
+  DelaunayRefinementThreads::RunPieces(
+    &threads, numberOfCells, CellsPerPiece, [&](std::size_t piece, std::size_t begin, std::size_t end) {
+      for (IndexType cell = static_cast<IndexType>(begin); cell < end; ++cell)
+      {
+        if (!triangulation.IsAlive(cell) || triangulation.IsInfinite(cell))
+        {
+          continue;
+        }
+        for (const IndexType neighbor : triangulation.GetCell(cell).neighbors)
+        {
+          DelaunayRefinementPoint crossing;
+          if (cell < neighbor && !triangulation.IsInfinite(neighbor) &&
+              complex.GetRegion(cell) == complex.GetRegion(neighbor) &&
+              oracle.FindFirstCrossing(complex.GetCircumcenter(cell), complex.GetCircumcenter(neighbor), crossing))
+          {
+            parts[piece].push_back(crossing);
+          }
+        }
+      }
+    });
+  PointsType all;
+  for (const PointsType & part : parts)
+  {
+    all.insert(all.end(), part.begin(), part.end());
+  }
+  return all;
+}
+} // end namespace itk
