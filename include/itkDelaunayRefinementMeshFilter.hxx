@@ -226,6 +226,10 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::GenerateData()
     m_Components = oracle.ComputeComponents(largestDelta);
     const std::vector<std::uint32_t> kept = this->LeaveOutNegligibleComponents(oracle);
     m_Cavities = oracle.FindCavities();
+    if (m_PreserveTopology)
+    {
+      oracle.JoinDiagonalVoxels();
+    }
     const DelaunayRefinementParameters parameters = this->MakeParameters(oracle, kept, rangeOfSizes.least);
     this->VerifyPrecision(oracle, parameters, rangeOfSizes.least);
     this->VerifyMemory(oracle, kept, parameters);

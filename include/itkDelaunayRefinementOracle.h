@@ -174,6 +174,10 @@ public:
   virtual std::uint32_t
   FindCavity(const PointType & point) const;
 
+  /** A box that contains the cavity and its surface; need not be tight. Default: GetSurfaceBounds(). */
+  virtual BoundsType
+  GetCavityBounds(std::uint32_t cavity) const;
+
   /** Counts the topology of the object, all regions together. Default: not known. */
   virtual DelaunayRefinementTopology
   CountTopology() const;

@@ -18,6 +18,7 @@
 #include "itkDelaunayRefinementAccuracy.h"
 
 #include "itkDelaunayRefinementMeshTopology.h"
+#include "itkDelaunayRefinementMissingComponents.h"
 
 #include <algorithm>
 
@@ -104,6 +105,19 @@ DelaunayRefinementAccuracy::ImproveTopology(DelaunayRefinementStatistics & stati
     return false;
   }
   std::vector<PlaceType> places;
+  const auto             addBox = [&](const DelaunayRefinementOracle::BoundsType & box) {
+    const PointType center = DelaunayRefinementGeometry::AddScaled(
+      box.minimum, 0.5, DelaunayRefinementGeometry::Subtract(box.maximum, box.minimum));
+    places.push_back({ center, DelaunayRefinementGeometry::Distance(box.maximum, center), m_Parameters.topologySize });
+  };
+  for (const std::uint32_t component : statistics.missingComponents)
+  {
+    addBox(m_Oracle.GetComponentBounds(component));
+  }
+  for (const std::uint32_t cavity : FindMissingDelaunayRefinementCavities(m_Oracle, m_Complex, m_Threads))
+  {
+    addBox(m_Oracle.GetCavityBounds(cavity));
+  }
   for (const PointType & point : FindHiddenDelaunayRefinementSurface(m_Oracle, m_Complex, m_Threads))
   {
     places.push_back({ point, HiddenShare * m_LocalDelta.GetAt(point), m_Parameters.topologySize });

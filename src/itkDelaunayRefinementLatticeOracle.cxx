@@ -251,13 +251,7 @@ DelaunayRefinementIndicatorCell::MakeAll()
   std::vector<DelaunayRefinementIndicatorCell> cells;
   for (unsigned int configuration = 0; configuration < 256; ++configuration)
   {
-    std::array<double, 8> values;
-    for (unsigned int i = 0; i < 8; ++i)
-    {
-      values[i] = (configuration >> i & 1u) ? 0.5 : -0.5;
-    }
-    // Exact: halves, at places with few digits.
-    const DelaunayRefinementLinearCell cell(values, 0.0);
+    const DelaunayRefinementLinearCell cell = MakeRaised(configuration, 0);
     std::uint64_t                      quarters = 0;
     for (unsigned int i = 0; i < 64; ++i)
     {
@@ -314,7 +308,7 @@ DelaunayRefinementLatticeOracle::Classify(const PointType & point) const
     return configuration == 0 ? 0 : 1;
   }
   const PointType local = ToLocal(lattice, cell);
-  return m_Model == ModelEnum::INDICATOR
+  return m_Model == ModelEnum::INDICATOR && m_Raised == nullptr
            ? DelaunayRefinementIndicatorCell::Get(configuration).cell.Classify(local)
            : this->VisitCell(cell, [&local](const auto & content) { return content.Classify(local); });
 }
@@ -344,7 +338,7 @@ DelaunayRefinementLatticeOracle::GetCellRegions(const IndexType & cell) const
 unsigned int
 DelaunayRefinementLatticeOracle::GetIndicatorConfiguration(const IndexType & cell) const
 {
-  if (m_Model != ModelEnum::INDICATOR || m_Smoothed != nullptr)
+  if (m_Model != ModelEnum::INDICATOR || m_Smoothed != nullptr || this->GetRaised(cell) != 0)
   {
     return 0;
   }
@@ -539,6 +533,20 @@ DelaunayRefinementLatticeOracle::GetComponentBounds(ComponentType component) con
   {
     lattice.minimum[i] = info.minimum[i] - margin;
     lattice.maximum[i] = info.maximum[i] + 2 + margin;
+  }
+  return this->ToPhysical(lattice);
+}
+
+DelaunayRefinementOracle::BoundsType
+DelaunayRefinementLatticeOracle::GetCavityBounds(std::uint32_t cavity) const
+{
+  const auto & info = m_Cavities->Get()[cavity];
+  BoundsType   lattice;
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    // Voxels are one further than their indexes, and the surface is within one of their centers.
+    lattice.minimum[i] = info.least[i];
+    lattice.maximum[i] = info.greatest[i] + 2;
   }
   return this->ToPhysical(lattice);
 }

@@ -79,18 +79,30 @@ GetEightfoldCounts()
   return counts;
 }
 
+/** Whether of the corners of a face two are inside that no edge joins. */
+bool
+IsDiagonal(unsigned int corners, unsigned int face)
+{
+  const unsigned int inside = corners & face;
+  return CountDelaunayRefinementBits(inside) == 2 &&
+         std::find(std::begin(Edges), std::end(Edges), inside) == std::end(Edges);
+}
+
 /** Whether the corners leave open what is joined to what within a cell. */
 bool
 IsAmbiguous(unsigned int corners)
 {
-  const auto isDiagonal = [corners](unsigned int face) {
-    // Opposite corners of a face are those that no edge joins.
-    const unsigned int inside = corners & face;
-    return CountDelaunayRefinementBits(inside) == 2 &&
-           std::none_of(std::begin(Edges), std::end(Edges), [inside](unsigned int edge) { return inside == edge; });
-  };
   return AreOpposite(corners) || AreOpposite(~corners & 0xffu) ||
-         std::any_of(std::begin(Faces), std::end(Faces), isDiagonal);
+         std::any_of(
+           std::begin(Faces), std::end(Faces), [corners](unsigned int face) { return IsDiagonal(corners, face); });
+}
+
+/** The first of some cells of a brick. */
+std::array<std::int32_t, 3>
+GetCellOfBrick(const std::array<std::int32_t, 3> & brick, std::uint64_t cells)
+{
+  const auto bit = static_cast<std::int32_t>(FindDelaunayRefinementBit(cells));
+  return { 4 * brick[0] + (bit & 3), 4 * brick[1] + (bit >> 2 & 3), 4 * brick[2] + (bit >> 4) };
 }
 
 using RangeType = std::array<std::array<unsigned int, 2>, 3>;
@@ -167,6 +179,35 @@ DelaunayRefinementLatticeOracle::CountEightfoldEuler(const IndexType & cell) con
   });
 }
 
+void
+DelaunayRefinementLatticeOracle::JoinDiagonalVoxels()
+{
+  if (m_Model != ModelEnum::INDICATOR || this->HasRegions())
+  {
+    return;
+  }
+  m_Raised = std::make_unique<DelaunayRefinementVoxelMask>(m_Mask->GetSize());
+  for (const IndexType & brick : m_Bricks->GetActiveBricks())
+  {
+    for (std::uint64_t cells = m_Bricks->GetCells(brick); cells != 0; cells &= cells - 1)
+    {
+      const IndexType    cell = GetCellOfBrick(brick, cells);
+      const unsigned int corners = m_Mask->GetConfiguration(cell[0], cell[1], cell[2]);
+      for (const unsigned int face : Faces)
+      {
+        const unsigned int between = IsDiagonal(corners, face) ? ~corners & face : 0;
+        for (std::int32_t i = 0; i < 8; ++i)
+        {
+          if (between >> i & 1u)
+          {
+            m_Raised->Set(cell[0] - 1 + (i & 1), cell[1] - 1 + (i >> 1 & 1), cell[2] - 1 + (i >> 2), true);
+          }
+        }
+      }
+    }
+  }
+}
+
 DelaunayRefinementTopology
 DelaunayRefinementLatticeOracle::CountTopology() const
 {
@@ -176,12 +217,9 @@ DelaunayRefinementLatticeOracle::CountTopology() const
     m_Threads, bricks.size(), BricksPerPiece, [&](std::size_t piece, std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
       {
-        const IndexType & brick = bricks[i];
-        for (std::uint64_t cells = m_Bricks->GetCells(brick); cells != 0; cells &= cells - 1)
+        for (std::uint64_t cells = m_Bricks->GetCells(bricks[i]); cells != 0; cells &= cells - 1)
         {
-          const auto bit = static_cast<std::int32_t>(FindDelaunayRefinementBit(cells));
-          sums[piece] += this->CountEightfoldEuler(
-            { 4 * brick[0] + (bit & 3), 4 * brick[1] + (bit >> 2 & 3), 4 * brick[2] + (bit >> 4) });
+          sums[piece] += this->CountEightfoldEuler(GetCellOfBrick(bricks[i], cells));
         }
       }
     });

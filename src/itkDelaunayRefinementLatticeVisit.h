@@ -80,6 +80,19 @@ struct DelaunayRefinementIndicatorCell
     return cells[configuration];
   }
 
+  /** Of a configuration, with the mask raised at some of the corners outside. */
+  static DelaunayRefinementLinearCell
+  MakeRaised(unsigned int configuration, unsigned int raised)
+  {
+    std::array<double, 8> values;
+    for (unsigned int i = 0; i < 8; ++i)
+    {
+      values[i] = (configuration >> i & 1u) ? 0.5 : (raised >> i & 1u) ? -0.25 : -0.5;
+    }
+    // Exact: quarters, at places with few digits.
+    return { values, 0.0 };
+  }
+
 private:
   static std::vector<DelaunayRefinementIndicatorCell>
   MakeAll();
@@ -131,7 +144,10 @@ DelaunayRefinementLatticeOracle::VisitCell(const IndexType & cell, const TVisito
   {
     if (!this->HasRegions())
     {
-      return visitor(DelaunayRefinementIndicatorCell::Get(m_Mask->GetConfiguration(cell[0], cell[1], cell[2])).cell);
+      const unsigned int configuration = m_Mask->GetConfiguration(cell[0], cell[1], cell[2]);
+      const unsigned int raised = this->GetRaised(cell);
+      return raised != 0 ? visitor(DelaunayRefinementIndicatorCell::MakeRaised(configuration, raised))
+                         : visitor(DelaunayRefinementIndicatorCell::Get(configuration).cell);
     }
     if (m_Smoothed != nullptr)
     {

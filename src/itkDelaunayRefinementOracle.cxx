@@ -142,6 +142,12 @@ DelaunayRefinementOracle::GetComponentBounds(ComponentType) const
   return this->GetSurfaceBounds();
 }
 
+DelaunayRefinementOracle::BoundsType
+DelaunayRefinementOracle::GetCavityBounds(std::uint32_t) const
+{
+  return this->GetSurfaceBounds();
+}
+
 DelaunayRefinementTopology
 DelaunayRefinementOracle::CountTopology() const
 {

@@ -133,14 +133,23 @@ DelaunayRefinementVoxelCavities::NumberCavities()
       {
         continue;
       }
+      const IndexType first{ gap.first,
+                             static_cast<std::int32_t>(row % m_Size[1]),
+                             static_cast<std::int32_t>(row / m_Size[1]) };
       if (gap.root == next)
       {
         numbers[next] = static_cast<std::uint32_t>(m_Cavities.size());
-        m_Cavities.push_back(
-          { 0, { gap.first, static_cast<std::int32_t>(row % m_Size[1]), static_cast<std::int32_t>(row / m_Size[1]) } });
+        m_Cavities.push_back({ 0, first, first, first });
       }
       m_Gaps[kept] = { gap.first, gap.last, numbers[gap.root] };
-      m_Cavities[m_Gaps[kept].root].numberOfVoxels += static_cast<std::size_t>(gap.last - gap.first + 1);
+      CavityType & cavity = m_Cavities[m_Gaps[kept].root];
+      cavity.numberOfVoxels += static_cast<std::size_t>(gap.last - gap.first + 1);
+      const IndexType last{ gap.last, first[1], first[2] };
+      for (unsigned int i = 0; i < 3; ++i)
+      {
+        cavity.least[i] = std::min(cavity.least[i], first[i]);
+        cavity.greatest[i] = std::max(cavity.greatest[i], last[i]);
+      }
       ++kept;
     }
   }

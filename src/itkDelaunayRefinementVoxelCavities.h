@@ -39,6 +39,8 @@ public:
   {
     std::size_t numberOfVoxels;
     IndexType   firstVoxel;
+    IndexType   least; // indexes of its voxels, and the greatest ones
+    IndexType   greatest;
   };
 
   static constexpr std::uint32_t None = 0xFFFFFFFFu;
