@@ -385,7 +385,7 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::MakeParameters(const Del
   const double leastSpacing = *std::min_element(spacing.Begin(), spacing.End());
   if (m_PreserveTopology)
   {
-    parameters.topologySize = 0.125 * leastSpacing;
+    parameters.topologySize = 0.25 * leastSpacing;
   }
   if (m_MinimumDelta > 0.0)
   {

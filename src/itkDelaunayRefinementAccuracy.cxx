@@ -26,6 +26,8 @@ namespace itk
 {
 namespace
 {
+using Geometry = DelaunayRefinementGeometry;
+
 /** Delta gets this share of itself, unless that is next to nothing. */
 constexpr double DeltaStep = 0.5;
 constexpr double SmallestStep = 0.01;
@@ -36,6 +38,11 @@ constexpr unsigned int MaximumNumberOfRounds = 40;
 constexpr double BoundResolution = 0.5;
 constexpr double DeltaResolution = 1.0;
 constexpr double TopologyResolution = 2.0;
+
+/** Bounds on the distance that are tried for the sake of topology: the first one over the least delta, and each later
+ * one over that before. */
+constexpr double FirstTopologyBound = 8.0;
+constexpr double TopologyStep = 0.5;
 
 /** Delta is lowered within this share of it around surface that the boundary does not show. */
 constexpr double HiddenShare = 0.5;
@@ -48,6 +55,7 @@ DelaunayRefinementAccuracy::DelaunayRefinementAccuracy(const DelaunayRefinementO
                                                        DelaunayRefinementThreads &          threads)
   : m_Oracle(oracle)
   , m_Parameters(parameters)
+  , m_Bounds(parameters)
   , m_Complex(complex)
   , m_LocalDelta(localDelta)
   , m_Threads(threads)
@@ -73,7 +81,7 @@ DelaunayRefinementAccuracy::Improve(DelaunayRefinementStatistics & statistics)
   {
     return true;
   }
-  if (m_Fidelity != nullptr)
+  if (this->HasBoundOnDistance())
   {
     statistics.meshToSurface = m_Fidelity->MeasureFromFacets();
     statistics.surfaceToMesh = m_Fidelity->MeasureFromSurface();
@@ -86,8 +94,7 @@ DelaunayRefinementAccuracy::ImproveDistance()
 {
   if (m_Fidelity == nullptr)
   {
-    m_Fidelity =
-      std::make_unique<DelaunayRefinementFidelity>(m_Oracle, m_Parameters, m_Complex, m_LocalDelta, m_Threads);
+    m_Fidelity = std::make_unique<DelaunayRefinementFidelity>(m_Oracle, m_Bounds, m_Complex, m_LocalDelta, m_Threads);
   }
   return this->Lower(m_Fidelity->FindFarPlaces());
 }
@@ -104,11 +111,29 @@ DelaunayRefinementAccuracy::ImproveTopology(DelaunayRefinementStatistics & stati
   {
     return false;
   }
+  if (this->Lower(this->FindPlacesOfOtherTopology(statistics)))
+  {
+    return true;
+  }
+  // What is left is seen by its distance.
+  const double bound = std::min(TopologyStep * m_Bounds.hausdorffBound, FirstTopologyBound * m_Parameters.topologySize);
+  if (bound < m_Parameters.topologySize)
+  {
+    return false;
+  }
+  m_Bounds.hausdorffBound = bound;
+  m_Fidelity.reset();
+  return this->ImproveDistance() || this->ImproveTopology(statistics);
+}
+
+std::vector<DelaunayRefinementAccuracy::PlaceType>
+DelaunayRefinementAccuracy::FindPlacesOfOtherTopology(const DelaunayRefinementStatistics & statistics) const
+{
+  const double           least = m_Parameters.topologySize;
   std::vector<PlaceType> places;
   const auto             addBox = [&](const DelaunayRefinementOracle::BoundsType & box) {
-    const PointType center = DelaunayRefinementGeometry::AddScaled(
-      box.minimum, 0.5, DelaunayRefinementGeometry::Subtract(box.maximum, box.minimum));
-    places.push_back({ center, DelaunayRefinementGeometry::Distance(box.maximum, center), m_Parameters.topologySize });
+    const PointType center = Geometry::AddScaled(box.minimum, 0.5, Geometry::Subtract(box.maximum, box.minimum));
+    places.push_back({ center, Geometry::Distance(box.maximum, center), least });
   };
   for (const std::uint32_t component : statistics.missingComponents)
   {
@@ -120,9 +145,13 @@ DelaunayRefinementAccuracy::ImproveTopology(DelaunayRefinementStatistics & stati
   }
   for (const PointType & point : FindHiddenDelaunayRefinementSurface(m_Oracle, m_Complex, m_Threads))
   {
-    places.push_back({ point, HiddenShare * m_LocalDelta.GetAt(point), m_Parameters.topologySize });
+    places.push_back({ point, HiddenShare * m_LocalDelta.GetAt(point), least });
   }
-  return this->Lower(places);
+  for (const auto cell : FindSuperfluousDelaunayRefinementParts(m_Oracle, m_Complex))
+  {
+    places.push_back({ m_Complex.GetCircumcenter(cell), std::sqrt(m_Complex.GetSquaredRadius(cell)), least });
+  }
+  return places;
 }
 
 bool

@@ -58,11 +58,16 @@ private:
   bool
   ImproveTopology(DelaunayRefinementStatistics & statistics);
 
+  /** Where something is missing in the mesh, is hidden, or too much. */
+  std::vector<PlaceType>
+  FindPlacesOfOtherTopology(const DelaunayRefinementStatistics & statistics) const;
+
   bool
   Lower(const std::vector<PlaceType> & places);
 
   const DelaunayRefinementOracle &            m_Oracle;
   const DelaunayRefinementParameters &        m_Parameters;
+  DelaunayRefinementParameters                m_Bounds; // the same, but for a bound that topology asks for
   const DelaunayRefinementComplex &           m_Complex;
   DelaunayRefinementLocalDelta &              m_LocalDelta;
   DelaunayRefinementThreads &                 m_Threads;

@@ -17,6 +17,9 @@
  *=========================================================================*/
 #include "itkDelaunayRefinementMeshTopology.h"
 
+#include <algorithm>
+#include <set>
+
 namespace itk
 {
 namespace
@@ -25,39 +28,54 @@ using IndexType = DelaunayRefinementComplex::IndexType;
 
 constexpr std::size_t CellsPerPiece = 4096;
 
-/** Parts of what is inside, or outside, that facets join. */
-std::int64_t
-CountParts(const DelaunayRefinementComplex & complex, bool isInside)
+using PartType = std::vector<IndexType>;
+
+/** The cells of what is inside, or outside, in parts that facets join. */
+std::vector<PartType>
+FindParts(const DelaunayRefinementComplex & complex, bool isInside)
 {
-  const auto &           triangulation = complex.GetTriangulation();
-  const auto             belongs = [&](IndexType cell) { return (complex.GetRegion(cell) != 0) == isInside; };
-  std::vector<bool>      isSeen(triangulation.GetNumberOfCellIndexes(), false);
-  std::vector<IndexType> stack;
-  std::int64_t           parts = 0;
+  const auto &          triangulation = complex.GetTriangulation();
+  const auto            belongs = [&](IndexType cell) { return (complex.GetRegion(cell) != 0) == isInside; };
+  std::vector<bool>     isSeen(triangulation.GetNumberOfCellIndexes(), false);
+  std::vector<PartType> parts;
   for (IndexType first = 0; first < isSeen.size(); ++first)
   {
     if (isSeen[first] || !triangulation.IsAlive(first) || !belongs(first))
     {
       continue;
     }
-    ++parts;
+    parts.push_back({ first });
     isSeen[first] = true;
-    stack.push_back(first);
-    while (!stack.empty())
+    for (std::size_t i = 0; i < parts.back().size(); ++i)
     {
-      const IndexType cell = stack.back();
-      stack.pop_back();
-      for (const IndexType neighbor : triangulation.GetCell(cell).neighbors)
+      for (const IndexType neighbor : triangulation.GetCell(parts.back()[i]).neighbors)
       {
         if (!isSeen[neighbor] && belongs(neighbor))
         {
           isSeen[neighbor] = true;
-          stack.push_back(neighbor);
+          parts.back().push_back(neighbor);
         }
       }
     }
   }
   return parts;
+}
+
+/** Appends the cells of parts with an owner that a larger part has already. */
+template <typename TFindOwner>
+void
+AppendSuperfluous(std::vector<PartType> parts, const TFindOwner & findOwner, PartType & superfluous)
+{
+  std::stable_sort(
+    parts.begin(), parts.end(), [](const PartType & a, const PartType & b) { return a.size() > b.size(); });
+  std::set<std::uint32_t> owners;
+  for (const PartType & part : parts)
+  {
+    if (!owners.insert(findOwner(part)).second)
+    {
+      superfluous.insert(superfluous.end(), part.begin(), part.end());
+    }
+  }
 }
 } // namespace
 
@@ -92,9 +110,9 @@ CountDelaunayRefinementMeshTopology(const DelaunayRefinementComplex & complex)
   }
   DelaunayRefinementTopology topology;
   topology.isKnown = true;
-  topology.components = CountParts(complex, true);
+  topology.components = static_cast<std::int64_t>(FindParts(complex, true).size());
   // All but what is around the object.
-  topology.cavities = CountParts(complex, false) - 1;
+  topology.cavities = static_cast<std::int64_t>(FindParts(complex, false).size()) - 1;
   // Two facets share each edge.
   topology.eulerCharacteristic = vertices - facets / 2;
   return topology;
@@ -135,5 +153,24 @@ FindHiddenDelaunayRefinementSurface(const DelaunayRefinementOracle &  oracle,
     all.insert(all.end(), part.begin(), part.end());
   }
   return all;
+}
+
+std::vector<IndexType>
+FindSuperfluousDelaunayRefinementParts(const DelaunayRefinementOracle &  oracle,
+                                       const DelaunayRefinementComplex & complex)
+{
+  const auto & triangulation = complex.GetTriangulation();
+  const auto   findComponent = [&](const PartType & part) {
+    return oracle.FindComponent(complex.GetCircumcenter(part.front()));
+  };
+  const auto findCavity = [&](const PartType & part) {
+    const auto isInfinite = [&](IndexType cell) { return triangulation.IsInfinite(cell); };
+    return std::any_of(part.begin(), part.end(), isInfinite) ? oracle.GetNumberOfCavities()
+                                                             : oracle.FindCavity(complex.GetCircumcenter(part.front()));
+  };
+  PartType superfluous;
+  AppendSuperfluous(FindParts(complex, true), findComponent, superfluous);
+  AppendSuperfluous(FindParts(complex, false), findCavity, superfluous);
+  return superfluous;
 }
 } // end namespace itk

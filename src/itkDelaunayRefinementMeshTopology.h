@@ -33,6 +33,12 @@ std::vector<DelaunayRefinementPoint>
 FindHiddenDelaunayRefinementSurface(const DelaunayRefinementOracle &  oracle,
                                     const DelaunayRefinementComplex & complex,
                                     DelaunayRefinementThreads &       threads);
+
+/** The tetrahedra of parts, joined by facets, that are one too many in a component of the object, in one of its
+ * cavities, or around it: the largest part of each is the one that should be there. */
+std::vector<DelaunayRefinementComplex::IndexType>
+FindSuperfluousDelaunayRefinementParts(const DelaunayRefinementOracle &  oracle,
+                                       const DelaunayRefinementComplex & complex);
 } // end namespace itk
 
 #endif
