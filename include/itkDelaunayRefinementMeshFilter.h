@@ -204,10 +204,11 @@ public:
   itkGetConstMacro(HausdorffBound, double);
   /** @ITKEndGrouping */
 
-  /** Delta is lowered, down to an eighth of the least spacing, where boundary and surface are joined in different ways,
+  /** Delta is lowered, down to a quarter of the least spacing, where boundary and surface are joined in different ways,
    * until the mesh has as many components, cavities and handles as the object in the image; a warning says if that was
-   * not reached. GetStatistics() has the counts. For one object, not for several labels, and with Manifold on, else
-   * Update() throws. Default off. Not in the paper. */
+   * not reached. GetStatistics() has the counts. Voxels that touch in an edge are joined then,
+   * which moves the surface there by a sixth of a voxel at most. For one object, not for several labels, and with
+   * Manifold on, else Update() throws. Default off. Not in the paper. */
   /** @ITKStartGrouping */
   itkSetMacro(PreserveTopology, bool);
   itkGetConstMacro(PreserveTopology, bool);
@@ -215,9 +216,9 @@ public:
   /** @ITKEndGrouping */
 
   /** Delta is lowered down to this, in physical units (mm), where the surface is bent or parts are thin: where boundary
-   * and surface are farther from each other than 15 % of the delta there, and than half the least spacing. Finite, not
-   * negative, and no larger than Delta, else Update() throws; 0, the default, leaves Delta as it is. Not in the paper.
-   */
+   * and surface are farther from each other than 15 % of the delta there, and than the least spacing, or a quarter of
+   * it with an iso value or with Smoothing. Finite, not negative, and no larger than Delta, else Update() throws; 0,
+   * the default, leaves Delta as it is. Not in the paper. */
   /** @ITKStartGrouping */
   itkSetMacro(MinimumDelta, double);
   itkGetConstMacro(MinimumDelta, double);

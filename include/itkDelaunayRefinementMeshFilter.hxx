@@ -390,8 +390,9 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::MakeParameters(const Del
   if (m_MinimumDelta > 0.0)
   {
     parameters.leastDelta = m_MinimumDelta;
+    // The steps of a mask's voxels are no bends.
     parameters.deviationShare = 0.15;
-    parameters.leastDeviation = 0.5 * leastSpacing;
+    parameters.leastDeviation = (m_IsoValueIsSet || m_Smoothing > 0.0 ? 0.25 : 1.0) * leastSpacing;
   }
   if (this->GetSizeField() != nullptr)
   {

@@ -241,9 +241,14 @@ bool
 DelaunayRefinementFidelity::CertifyPatch(const PatchType & patch, double smallest, PartType & part) const
 {
   const BoundType bound = this->GetBound(patch.center, patch.radius);
-  const double    room = bound.distance - patch.radius;
-  const double    far = FarShare * bound.distance;
-  const auto      near = m_Grid.Find(patch.center, room, bound.distance + patch.radius, part.nearest);
+  if (std::isinf(bound.distance))
+  {
+    part.pieces.push_back({ patch, {} });
+    return true;
+  }
+  const double room = bound.distance - patch.radius;
+  const double far = FarShare * bound.distance;
+  const auto   near = m_Grid.Find(patch.center, room, bound.distance + patch.radius, part.nearest);
   if (near.number != DelaunayRefinementTriangleGrid::None)
   {
     part.nearest = near.number;

@@ -155,6 +155,10 @@ TEST_F(CommandUsage, ShowsHelpAndVersion)
                                "OUTPUT",
                                "--refine-outside",
                                "--hausdorff-bound",
+                               "--topology",
+                               "--size-field",
+                               "--delta-min",
+                               "--delta-max",
                                "--allow-non-manifold" })
   {
     EXPECT_NE(help.output.find(option), std::string::npos) << option;

@@ -70,6 +70,9 @@ TEST(DelaunayRefinementMeshFilter, Defaults)
   EXPECT_FALSE(filter->GetRefineOutside());
   EXPECT_TRUE(filter->GetManifold());
   EXPECT_EQ(filter->GetHausdorffBound(), 0.0);
+  EXPECT_FALSE(filter->GetPreserveTopology());
+  EXPECT_EQ(filter->GetMinimumDelta(), 0.0);
+  EXPECT_EQ(filter->GetSizeField(), nullptr);
   EXPECT_EQ(filter->GetMaximumNumberOfVertices(), itk::NumericTraits<itk::SizeValueType>::max());
   EXPECT_TRUE(filter->GetLabels().empty());
   EXPECT_EQ(filter->GetLowerThreshold(), -std::numeric_limits<double>::infinity());
@@ -141,6 +144,10 @@ TEST(DelaunayRefinementMeshFilter, SettersModifyOnlyWhenTheyChange)
   expectModified([&] { filter->RefineOutsideOn(); });
   expectModified([&] { filter->ManifoldOff(); });
   expectModified([&] { filter->SetHausdorffBound(1.0); });
+  expectModified([&] { filter->PreserveTopologyOn(); });
+  expectModified([&] { filter->SetMinimumDelta(1.0); });
+  const auto field = itk::Image<float, 3>::New();
+  expectModified([&] { filter->SetSizeField(field); });
   expectModified([&] { filter->SetMergeLabels(true); });
 }
 

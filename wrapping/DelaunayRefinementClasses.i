@@ -139,6 +139,14 @@ manifold : bool, default: True
 hausdorff_bound : float, mm, default: 0.0 (off)
     Upper bound on the distance between the boundary and the surface in the
     image, both ways; delta is lowered where that takes it.
+preserve_topology : bool, default: False
+    Delta is lowered until the mesh has as many components, cavities and
+    handles as the object in the image; a warning says if it has not. For one
+    object.
+minimum_delta : float, mm, default: 0.0 (off)
+    Delta is lowered down to this where the surface is bent or parts are thin.
+size_field : itk.Image[itk.F, 3] of lengths in mm, default: none
+    Delta is no larger at any point; it has a grid of its own.
 refine_outside : bool, default: False
     Rule R2 of the paper outside the object too; no guarantee needs it, and it
     takes twice as long.

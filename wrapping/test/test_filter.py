@@ -17,6 +17,8 @@ PARAMETERS = {
     "minimum_dihedral_angle": ("MinimumDihedralAngle", 8.0),
     "manifold": ("Manifold", False),
     "hausdorff_bound": ("HausdorffBound", 1.5),
+    "preserve_topology": ("PreserveTopology", True),
+    "minimum_delta": ("MinimumDelta", 1.5),
     "refine_outside": ("RefineOutside", True),
     "maximum_number_of_vertices": ("MaximumNumberOfVertices", 100000),
     "iso_value": ("IsoValue", 0.5),
