@@ -148,6 +148,14 @@ TEST_F(CommandInput, WordsOfTheFilterBecomeOptions)
     this->Run(nested, { "--merge-labels", "--delta", "1", "--max-vertices", "50" }), 1, { "--max-vertices", "50" });
   ExpectRefusal(this->Run(nested, { "--merge-labels", "--delta", "0.0001" }), 1, { "--delta", "memory" });
 
+  ExpectRefusal(this->Run(nested, { "--topology" }), 1, { "--topology", "--merge-labels" });
+  ExpectRefusal(
+    this->Run(nested, { "--topology", "--allow-non-manifold" }), 1, { "--topology", "--allow-non-manifold" });
+  ExpectRefusal(this->Run(nested, { "--delta", "2", "--delta-min", "3" }), 1, { "--delta-min", "--delta" });
+  ExpectRefusal(this->Run(nested, { "--hausdorff-bound", "0.01" }), 1, { "--hausdorff-bound" });
+  ExpectRefusal(this->Run(nested, { "--size-field", m_Folder / "no.mha" }), 1, { m_Folder / "no.mha" });
+  ExpectRefusal(this->Run(nested, { "--size-field", distances }), 1, { "--size-field", "positive" });
+
   const std::string empty = WriteMetaImage(m_Folder / "empty.mha", TestVolume<std::uint8_t>());
   ExpectRefusal(this->Run(empty), 1, { "no object" });
   this->ExpectNothingWritten();

@@ -312,6 +312,40 @@ TEST_F(CommandResult, SurfaceFormats)
   }
 }
 
+TEST_F(CommandResult, ReportHasDistancesAndTopology)
+{
+  const Json plain = this->Run(MakeBall(), { "--delta", "4" });
+  EXPECT_TRUE(plain.at("mesh_topology").is_null());
+  EXPECT_TRUE(plain.at("mesh_to_surface").is_null());
+  TestVolume<std::uint8_t> hollow = MakeBall();
+  hollow.At(11, 11, 11) = 0;
+  const Json report = this->Run(hollow, { "--delta", "4", "--topology", "--hausdorff-bound", "1" });
+  for (const char * const of : { "mesh_topology", "image_topology" })
+  {
+    EXPECT_EQ(report.at(of).at("components"), 1) << of;
+    EXPECT_EQ(report.at(of).at("cavities"), 1) << of;
+    EXPECT_EQ(report.at(of).at("genus"), 0) << of;
+    EXPECT_EQ(report.at(of).at("euler_characteristic"), 4) << of;
+  }
+  EXPECT_LT(report.at("mesh_to_surface").at("distance"), 1.0);
+  EXPECT_LT(report.at("surface_to_mesh").at("distance"), 1.0);
+  EXPECT_NE(m_Run.output.find("1 cavities, genus 0"), std::string::npos) << m_Run.output;
+}
+
+TEST_F(CommandResult, SizesVary)
+{
+  const std::size_t coarse = this->Run(MakeBall(), { "--delta", "5" }).at("tetrahedra");
+  const std::size_t bent = this->Run(MakeBall(), { "--delta-max", "5", "--delta-min", "1" }).at("tetrahedra");
+  EXPECT_GT(bent, 2 * coarse);
+  TestVolume<float> sizes;
+  sizes.voxels.assign(sizes.voxels.size(), 5.0f);
+  sizes.AddBall({ { 11.5, 11.5, 3.0 } }, 5.0, 1.0f);
+  const std::string field = WriteMetaImage(m_Folder / "sizes.mha", sizes);
+  const Json        report = this->Run(MakeBall(), { "--delta", "5", "--size-field", field });
+  EXPECT_GT(report.at("tetrahedra"), 2 * coarse);
+  EXPECT_EQ(report.at("parameters").at("size_field"), field);
+}
+
 TEST_F(CommandResult, TheSameBytesTwice)
 {
   this->Run(MakeBall(), { "--delta", "2" });

@@ -89,6 +89,8 @@ INSTANTIATE_TEST_SUITE_P(
                   BadUsage{ { "--labels", "one" }, { "--labels" } },
                   BadUsage{ { "--labels", "18446744073709551616" }, { "--labels" } },
                   BadUsage{ { "--iso-value", "1", "--labels", "1" }, { "--iso-value", "--labels" } },
+                  BadUsage{ { "--delta", "1", "--delta-max", "1" }, { "--delta", "--delta-max" } },
+                  BadUsage{ { "--delta-min", "0" }, { "--delta-min" } },
                   BadUsage{ { "--iso-value", "1", "--threshold", "1" }, { "--iso-value", "--threshold" } },
                   BadUsage{ { "--iso-value", "1", "--merge-labels" }, { "--iso-value", "--merge-labels" } },
                   BadUsage{ { "--threshold", "1", "--labels", "1" }, { "--threshold", "--labels" } },

@@ -119,10 +119,43 @@ def test_label_deltas_and_smoothing():
     assert (fine.labels == 7).sum() < (fine.labels == 300).sum()
 
 
+def test_size_field_has_a_grid_of_its_own():
+    image = ball(size=32, radius=12.0)
+    lengths = np.full((8, 8, 8), 6.0, np.float32)
+    lengths[:, :, :3] = 1.5
+    field = make_image(lengths, spacing=(4.5, 4.5, 4.5))
+    mesh = arrays(itk.delaunay_refinement_mesh_filter(image, delta=6.0, size_field=field))
+    assert_guarantees(mesh)
+    centers = mesh.points[mesh.tetrahedra].mean(axis=1)
+    assert (centers[:, 0] < 12).sum() > 3 * (centers[:, 0] > 19).sum()
+    lengths[1, 2, 3] = np.nan
+    with pytest.raises(RuntimeError, match="SizeField"):
+        itk.delaunay_refinement_mesh_filter(image, delta=6.0, size_field=make_image(lengths))
+
+
+def test_topology_is_that_of_the_image():
+    values = np.ones((9, 20, 20), np.uint8)
+    values[:, 9:11, 9:11] = 0
+    image = make_image(np.pad(values, 2))
+    triangles = [
+        boundary_triangles(
+            arrays(itk.delaunay_refinement_mesh_filter(image, delta=8.0, preserve_topology=wanted)).tetrahedra
+        )
+        for wanted in (False, True)
+    ]
+    euler = [len(np.unique(t)) - len(t) // 2 for t in triangles]
+    assert euler == [2, 0]
+
+
 def test_keywords_are_all_the_setters():
     cls = itk.DelaunayRefinementMeshFilter.values()[0]
     setters = {name[3:] for name in vars(cls) if name.startswith("Set")}
-    assert setters == {name for name, _ in PARAMETERS.values()} | {"Interpolator", "LabelDelta", "LabelDeltas"}
+    assert setters == {name for name, _ in PARAMETERS.values()} | {
+        "Interpolator",
+        "LabelDelta",
+        "LabelDeltas",
+        "SizeField",
+    }
 
 
 def test_help_has_parameters_units_and_defaults():
@@ -131,7 +164,7 @@ def test_help_has_parameters_units_and_defaults():
     entries = {}
     for names, about in re.findall(r"^([a-z_, ]+) : (.*default: .*)$", text, flags=re.MULTILINE):
         entries.update({name: about for name in names.split(", ")})
-    assert set(entries) == set(PARAMETERS) | {"interpolator", "label_deltas"}
+    assert set(entries) == set(PARAMETERS) | {"interpolator", "label_deltas", "size_field"}
     for keyword, about in entries.items():
         default = re.search(r"default: ([^, ]+)", about).group(1)
         if re.fullmatch(r"[\d.]+|inf", default):
