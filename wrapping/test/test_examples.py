@@ -80,6 +80,11 @@ def test_pictures(brain_mesh, tmp_path):
         assert picture_is_drawn(tmp_path / f"brain-{name}.png")
 
 
+def test_picture_of_a_slice(brain_mesh, tmp_path):
+    run(tmp_path, "draw_slice.py", BRAIN, "slice.png", brain_mesh, brain_mesh, "--position", 10)
+    assert picture_is_drawn(tmp_path / "slice.png")
+
+
 def test_study(tmp_path):
     (tmp_path / "broken.nii.gz").write_bytes(b"no image")
     templates = BRAIN.parent
