@@ -403,9 +403,7 @@ private:
   void
   SplitCell(const SurfacePatchIdentifier & patch, SurfacePatches & parts) const;
 
-  /** Eight times what a cell adds to the Euler characteristic of the object. */
-  std::int64_t
-  CountEightfoldEuler(const IndexType & cell) const;
+  class TopologyCount;
 
   class ClosestSearch;
 

@@ -149,6 +149,7 @@ struct DelaunayRefinementTopology
     return components + cavities - eulerCharacteristic / 2;
   }
 
+  /** Whether all counts agree, or neither is known. */
   bool
   operator==(const DelaunayRefinementTopology & other) const
   {

@@ -67,13 +67,13 @@ DelaunayRefinementAccuracy::DelaunayRefinementAccuracy(const DelaunayRefinementO
 bool
 DelaunayRefinementAccuracy::HasBoundOnDistance() const
 {
-  return std::isfinite(m_Parameters.hausdorffBound) || std::isfinite(m_Parameters.leastDelta);
+  return std::isfinite(m_Bounds.hausdorffBound) || std::isfinite(m_Bounds.leastDelta);
 }
 
 bool
 DelaunayRefinementAccuracy::Improve(DelaunayRefinementStatistics & statistics)
 {
-  if (this->HasBoundOnDistance() && this->ImproveDistance())
+  if (this->ImproveDistance())
   {
     return true;
   }
@@ -81,7 +81,7 @@ DelaunayRefinementAccuracy::Improve(DelaunayRefinementStatistics & statistics)
   {
     return true;
   }
-  if (this->HasBoundOnDistance())
+  if (std::isfinite(m_Parameters.hausdorffBound) || std::isfinite(m_Parameters.leastDelta))
   {
     statistics.meshToSurface = m_Fidelity->MeasureFromFacets();
     statistics.surfaceToMesh = m_Fidelity->MeasureFromSurface();
@@ -92,6 +92,10 @@ DelaunayRefinementAccuracy::Improve(DelaunayRefinementStatistics & statistics)
 bool
 DelaunayRefinementAccuracy::ImproveDistance()
 {
+  if (!this->HasBoundOnDistance())
+  {
+    return false;
+  }
   if (m_Fidelity == nullptr)
   {
     m_Fidelity = std::make_unique<DelaunayRefinementFidelity>(m_Oracle, m_Bounds, m_Complex, m_LocalDelta, m_Threads);

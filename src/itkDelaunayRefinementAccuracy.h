@@ -51,6 +51,7 @@ private:
   bool
   HasBoundOnDistance() const;
 
+  /** False if boundary and surface are nowhere too far from each other. */
   bool
   ImproveDistance();
 

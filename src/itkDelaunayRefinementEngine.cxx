@@ -263,6 +263,7 @@ DelaunayRefinementEngine::Impl::RunAllPhases()
   {
     return m_Reason;
   }
+  m_LocalDelta.Settle();
   if (seeds.empty())
   {
     return TerminationReason::NO_SURFACE_FOUND;
@@ -450,7 +451,12 @@ DelaunayRefinementEngine::Impl::Certify(std::vector<PointType> & points, std::si
     }
     return this->KeepGoing();
   };
-  return m_Sample->Certify(points, m_Threads, keepGoing);
+  if (!m_Sample->Certify(points, m_Threads, keepGoing))
+  {
+    return false;
+  }
+  m_LocalDelta.Settle();
+  return true;
 }
 
 bool
@@ -784,13 +790,12 @@ DelaunayRefinementEngine::Impl::InsertNear(IndexType vertex)
 bool
 DelaunayRefinementEngine::Impl::ImproveAccuracy()
 {
-  if (!m_Accuracy->Improve(m_Statistics))
+  m_IsSampleOpen = m_Accuracy->Improve(m_Statistics);
+  if (m_IsSampleOpen)
   {
-    return false;
+    m_Repair->Undo();
   }
-  m_Repair->Undo();
-  m_IsSampleOpen = true;
-  return true;
+  return m_IsSampleOpen;
 }
 
 bool

@@ -39,7 +39,7 @@ constexpr double SmallShare = 0.5;
 constexpr double SmallestShares[] = { 2.0, 1.0, 0.25, 0.0 };
 
 /** So many places for each facet are next to none. */
-constexpr double FewPlaces = 0.02;
+constexpr double FewPlaces = 0.05;
 
 /** Delta is lowered within this share of it around what is too far. */
 constexpr double ReachShare = 0.5;

@@ -18,11 +18,14 @@
 #include "itkDelaunayRefinementBits.h"
 #include "itkDelaunayRefinementBricks.h"
 #include "itkDelaunayRefinementCells.h"
+#include "itkDelaunayRefinementDisjointSets.h"
 #include "itkDelaunayRefinementLatticeVisit.h"
 #include "itkDelaunayRefinementRegionCells.h"
 #include "itkDelaunayRefinementSmoothedRegions.h"
+#include "itkDelaunayRefinementVoxelCavities.h"
 
 #include <numeric>
+#include <set>
 
 namespace itk
 {
@@ -30,7 +33,10 @@ namespace
 {
 constexpr std::size_t BricksPerPiece = 256;
 
-/** Points along an edge of a cell whose corners do not tell all. */
+/** Cells whose corners do not tell all are halved so often at most. */
+constexpr unsigned int DeepestPart = 10;
+
+/** Points along their edges that tell what is joined within. */
 constexpr unsigned int PointsPerEdge = 9;
 
 using GridType = std::array<bool, PointsPerEdge * PointsPerEdge * PointsPerEdge>;
@@ -105,79 +111,354 @@ GetCellOfBrick(const std::array<std::int32_t, 3> & brick, std::uint64_t cells)
   return { 4 * brick[0] + (bit & 3), 4 * brick[1] + (bit >> 2 & 3), 4 * brick[2] + (bit >> 4) };
 }
 
-using RangeType = std::array<std::array<unsigned int, 2>, 3>;
-
-/** The Euler characteristic of the points of a grid within some ranges, the last ones included. */
-std::int64_t
-CountEuler(const GridType & grid, const RangeType & ranges)
+/** The points of a grid that are joined: inside along edges and diagonals of faces, outside along edges alone, as
+ * CountEightfold() counts. */
+DelaunayRefinementDisjointSets
+JoinPoints(const GridType & grid)
 {
-  const auto isInside = [&](unsigned int x, unsigned int y, unsigned int z) {
-    const auto isWithin = [&](unsigned int place, unsigned int axis) {
-      return ranges[axis][0] <= place && place <= ranges[axis][1];
-    };
-    return isWithin(x, 0) && isWithin(y, 1) && isWithin(z, 2) && grid[x + PointsPerEdge * (y + PointsPerEdge * z)];
-  };
-  const auto & counts = GetEightfoldCounts();
-  std::int64_t sum = 0;
-  // Cubes begin one point before the first; unsigned numbers below 0 are in no range.
-  for (unsigned int z = ranges[2][0]; z <= ranges[2][1] + 1; ++z)
+  constexpr std::int32_t         length = PointsPerEdge;
+  DelaunayRefinementDisjointSets points(grid.size());
+  for (std::int32_t i = 0; i < static_cast<std::int32_t>(grid.size()); ++i)
   {
-    for (unsigned int y = ranges[1][0]; y <= ranges[1][1] + 1; ++y)
+    const std::int32_t place[] = { i % length, i / length % length, i / (length * length) };
+    // Half of the neighbors: the other half has them as theirs.
+    for (std::int32_t step = 14; step < 27; ++step)
     {
-      for (unsigned int x = ranges[0][0]; x <= ranges[0][1] + 1; ++x)
+      const std::int32_t moves[] = { step % 3 - 1, step / 3 % 3 - 1, step / 9 - 1 };
+      const std::int32_t away = std::abs(moves[0]) + std::abs(moves[1]) + std::abs(moves[2]);
+      bool               isThere = away <= (grid[i] ? 2 : 1);
+      for (unsigned int axis = 0; axis < 3; ++axis)
       {
-        unsigned int corners = 0;
-        for (unsigned int i = 0; i < 8; ++i)
-        {
-          corners |= isInside(x - 1 + (i & 1u), y - 1 + (i >> 1 & 1u), z - 1 + (i >> 2)) ? 1u << i : 0;
-        }
-        sum += counts[corners];
+        isThere = isThere && place[axis] + moves[axis] >= 0 && place[axis] + moves[axis] < length;
+      }
+      const std::int32_t other = i + moves[0] + length * (moves[1] + length * moves[2]);
+      if (isThere && grid[i] == grid[other])
+      {
+        points.Join(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(other));
       }
     }
   }
-  return sum / 8;
+  return points;
 }
 
-/** What a cell adds, by points between its corners. */
-std::int64_t
-CountEightfoldOnGrid(const GridType & grid)
+/** Which corners of a cube, or of a part of its boundary, are inside: those that do not differ along some axes. */
+template <typename TContent>
+unsigned int
+ClassifyCorners(const TContent & content, const DelaunayRefinementPoint & corner, const DelaunayRefinementPoint & size)
 {
-  constexpr unsigned int last = PointsPerEdge - 1;
-  // Along each axis all of the cell, its lower end, or its upper end.
-  constexpr std::array<unsigned int, 2> parts[] = { { 0, last }, { 0, 0 }, { last, last } };
-  std::int64_t                          sum = 0;
+  unsigned int corners = 0;
+  for (unsigned int i = 0; i < 8; ++i)
+  {
+    const DelaunayRefinementPoint at{ corner[0] + (i & 1u) * size[0],
+                                      corner[1] + (i >> 1 & 1u) * size[1],
+                                      corner[2] + (i >> 2) * size[2] };
+    corners |= content.Classify(at) != 0 ? 1u << i : 0;
+  }
+  return corners;
+}
+
+/** The Euler characteristic of what a box in a cell has inside. It is flat along axes along which its size is 0, and
+ * halved along the others as long as its corners leave something open: the halves' sum, less what they share, and so
+ * on. */
+template <typename TContent>
+int
+CountEuler(const TContent &                content,
+           const DelaunayRefinementPoint & corner,
+           const DelaunayRefinementPoint & size,
+           unsigned int                    depth)
+{
+  const unsigned int corners = ClassifyCorners(content, corner, size);
+  const unsigned int flat = (size[0] == 0.0 ? 1u : 0u) | (size[1] == 0.0 ? 2u : 0u) | (size[2] == 0.0 ? 4u : 0u);
+  if (depth == 0 || !IsAmbiguous(corners))
+  {
+    return corners == 0 ? 0 : AreOpposite(corners) ? 2 : 1;
+  }
+  int sum = 0;
   for (unsigned int i = 0; i < 27; ++i)
   {
-    const std::array<unsigned int, 3> which{ i % 3, i / 3 % 3, i / 9 };
-    const auto                        ends =
-      static_cast<unsigned int>(std::count_if(which.begin(), which.end(), [](unsigned int part) { return part != 0; }));
-    const std::int64_t weight = (ends % 2 == 0 ? 8 : -8) / (1 << ends);
-    sum += weight * CountEuler(grid, { parts[which[0]], parts[which[1]], parts[which[2]] });
+    // Along each axis the lower half, the upper half, or the middle between them.
+    const unsigned int      which[] = { i % 3, i / 3 % 3, i / 9 };
+    DelaunayRefinementPoint at = corner;
+    DelaunayRefinementPoint part{};
+    int                     sign = 1;
+    bool                    isThere = true;
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      const bool isFlat = (flat >> axis & 1u) != 0;
+      isThere = isThere && !(isFlat && which[axis] != 0);
+      at[axis] += which[axis] == 0 ? 0.0 : 0.5 * size[axis];
+      part[axis] = which[axis] == 2 ? 0.0 : 0.5 * size[axis];
+      sign = which[axis] == 2 ? -sign : sign;
+    }
+    sum += isThere ? sign * CountEuler(content, at, part, depth - 1) : 0;
   }
   return sum;
 }
+
+/** What a cell adds, its boundary's parts counted as in CountEightfold(). */
+template <typename TContent>
+int
+CountEightfoldWithin(const TContent & content)
+{
+  int sum = 0;
+  for (unsigned int i = 0; i < 27; ++i)
+  {
+    // Along each axis all of the cell, its lower end, or its upper end.
+    const unsigned int      which[] = { i % 3, i / 3 % 3, i / 9 };
+    DelaunayRefinementPoint corner{};
+    DelaunayRefinementPoint size{};
+    int                     weight = 8;
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      corner[axis] = which[axis] == 2 ? 1.0 : 0.0;
+      size[axis] = which[axis] == 0 ? 1.0 : 0.0;
+      weight /= which[axis] == 0 ? 1 : -2;
+    }
+    sum += weight * CountEuler(content, corner, size, DeepestPart);
+  }
+  return sum;
+}
+
+template <typename TContent>
+GridType
+MakeGrid(const TContent & content)
+{
+  GridType         grid;
+  constexpr double step = 1.0 / (PointsPerEdge - 1);
+  for (unsigned int i = 0; i < grid.size(); ++i)
+  {
+    grid[i] = content.Classify({ step * (i % PointsPerEdge),
+                                 step * (i / PointsPerEdge % PointsPerEdge),
+                                 step * (i / (PointsPerEdge * PointsPerEdge)) }) != 0;
+  }
+  return grid;
+}
+
+/** The corners of a cell that are joined, inside or outside. */
+template <typename TContent>
+DelaunayRefinementDisjointSets
+JoinCornersWithin(const TContent & content, unsigned int corners)
+{
+  DelaunayRefinementDisjointSets sets(8);
+  const auto                     joinAll = [&sets](unsigned int some) {
+    const unsigned int first = FindDelaunayRefinementBit(some);
+    for (; some != 0; some &= some - 1)
+    {
+      sets.Join(first, FindDelaunayRefinementBit(some));
+    }
+  };
+  for (const unsigned int edge : Edges)
+  {
+    if ((corners & edge) == edge || (corners & edge) == 0)
+    {
+      joinAll(edge);
+    }
+  }
+  for (unsigned int i = 0; i < 6; ++i)
+  {
+    const unsigned int face = Faces[i];
+    if (IsDiagonal(corners, face))
+    {
+      DelaunayRefinementPoint corner{};
+      DelaunayRefinementPoint size{ 1.0, 1.0, 1.0 };
+      corner[i / 2] = i % 2;
+      size[i / 2] = 0.0;
+      joinAll(CountEuler(content, corner, size, DeepestPart) == 1 ? corners & face : ~corners & face);
+    }
+  }
+  std::set<std::uint32_t> inside;
+  for (unsigned int i = 0; i < 8; ++i)
+  {
+    if (corners >> i & 1u)
+    {
+      inside.insert(sets.Find(i));
+    }
+  }
+  if (CountEuler(content, {}, { 1.0, 1.0, 1.0 }, DeepestPart) != static_cast<int>(inside.size()))
+  {
+    // Something is joined away from the faces.
+    DelaunayRefinementDisjointSets points = JoinPoints(MakeGrid(content));
+    const auto                     placeOf = [](unsigned int i) {
+      constexpr unsigned int last = PointsPerEdge - 1;
+      return last * ((i & 1u) + PointsPerEdge * ((i >> 1 & 1u) + PointsPerEdge * (i >> 2)));
+    };
+    for (unsigned int i = 1; i < 8; ++i)
+    {
+      for (unsigned int j = 0; j < i; ++j)
+      {
+        if (points.Find(placeOf(i)) == points.Find(placeOf(j)))
+        {
+          sets.Join(i, j);
+        }
+      }
+    }
+  }
+  return sets;
+}
 } // namespace
 
-std::int64_t
-DelaunayRefinementLatticeOracle::CountEightfoldEuler(const IndexType & cell) const
+/** \class DelaunayRefinementLatticeOracle::TopologyCount
+ * \brief The topology of the object, cell by cell. */
+class DelaunayRefinementLatticeOracle::TopologyCount
 {
-  const unsigned int corners = m_Mask->GetConfiguration(cell[0], cell[1], cell[2]);
-  if (m_Model == ModelEnum::NEAREST || !IsAmbiguous(corners))
+public:
+  explicit TopologyCount(const DelaunayRefinementLatticeOracle & oracle)
+    : m_Oracle(oracle)
+  {}
+
+  /** Of the object. */
+  std::int64_t
+  CountEuler() const
   {
-    return GetEightfoldCounts()[corners];
+    const auto &              bricks = m_Oracle.m_Bricks->GetActiveBricks();
+    std::vector<std::int64_t> sums(DelaunayRefinementThreads::CountPieces(bricks.size(), BricksPerPiece), 0);
+    DelaunayRefinementThreads::RunPieces(
+      m_Oracle.m_Threads, bricks.size(), BricksPerPiece, [&](std::size_t piece, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          this->ForEachCell(bricks[i], [&](const IndexType & cell, unsigned int corners) {
+            const auto countWithin = [](const auto & content) { return CountEightfoldWithin(content); };
+            sums[piece] +=
+              this->IsOpen(corners) ? m_Oracle.VisitCell(cell, countWithin) : GetEightfoldCounts()[corners];
+          });
+        }
+      });
+    return std::accumulate(sums.begin(), sums.end(), std::int64_t{ 0 }) / 8;
   }
-  return this->VisitCell(cell, [](const auto & content) {
-    GridType         grid;
-    constexpr double step = 1.0 / (PointsPerEdge - 1);
-    for (unsigned int i = 0; i < grid.size(); ++i)
+
+  /** Corrects numbers of components and cavities, which are those of voxels, by what is joined within cells. */
+  void
+  CountParts(DelaunayRefinementTopology & topology) const
+  {
+    DelaunayRefinementDisjointSets runs = this->JoinRuns();
+    // The last one is all around the object.
+    DelaunayRefinementDisjointSets cavities(m_Oracle.GetNumberOfCavities() + 1);
+    for (const IndexType & brick : m_Oracle.m_Bricks->GetActiveBricks())
     {
-      grid[i] = content.Classify({ step * (i % PointsPerEdge),
-                                   step * (i / PointsPerEdge % PointsPerEdge),
-                                   step * (i / (PointsPerEdge * PointsPerEdge)) }) != 0;
+      this->ForEachCell(brick, [&](const IndexType & cell, unsigned int corners) {
+        if (this->IsOpen(corners))
+        {
+          this->JoinCorners(cell, corners, runs, cavities);
+        }
+      });
     }
-    return CountEightfoldOnGrid(grid);
-  });
-}
+    topology.components = static_cast<std::int64_t>(runs.GetNumberOfSets());
+    topology.cavities = static_cast<std::int64_t>(cavities.GetNumberOfSets()) - 1;
+  }
+
+private:
+  /** Calls \c action with the cells of a brick, and which of their corners are inside. */
+  template <typename TAction>
+  void
+  ForEachCell(const IndexType & brick, const TAction & action) const
+  {
+    for (std::uint64_t cells = m_Oracle.m_Bricks->GetCells(brick); cells != 0; cells &= cells - 1)
+    {
+      const IndexType cell = GetCellOfBrick(brick, cells);
+      action(cell, m_Oracle.m_Mask->GetConfiguration(cell[0], cell[1], cell[2]));
+    }
+  }
+
+  /** Whether points within the cell have to be asked. */
+  bool
+  IsOpen(unsigned int corners) const
+  {
+    return m_Oracle.m_Model != ModelEnum::NEAREST && IsAmbiguous(corners);
+  }
+
+  /** Runs of voxels that share faces. */
+  DelaunayRefinementDisjointSets
+  JoinRuns() const
+  {
+    const auto &                   runs = m_Oracle.m_Components->GetRuns();
+    DelaunayRefinementDisjointSets sets(runs.size());
+    const auto &                   size = m_Oracle.m_Mask->GetSize();
+    const auto joinRows = [&](std::int32_t y, std::int32_t z, std::int32_t otherY, std::int32_t otherZ) {
+      std::size_t       i = m_Oracle.m_Components->GetFirstRun(y, z);
+      std::size_t       j = m_Oracle.m_Components->GetFirstRun(otherY, otherZ);
+      const std::size_t end = m_Oracle.m_Components->GetFirstRun(y + 1, z);
+      const std::size_t otherEnd = m_Oracle.m_Components->GetFirstRun(otherY + 1, otherZ);
+      while (i < end && j < otherEnd)
+      {
+        if (std::max(runs[i].first, runs[j].first) <= std::min(runs[i].last, runs[j].last))
+        {
+          sets.Join(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j));
+        }
+        ++(runs[i].last < runs[j].last ? i : j);
+      }
+    };
+    for (std::int32_t z = 0; z < size[2]; ++z)
+    {
+      for (std::int32_t y = 0; y < size[1]; ++y)
+      {
+        if (y > 0)
+        {
+          joinRows(y, z, y - 1, z);
+        }
+        if (z > 0)
+        {
+          joinRows(y, z, y, z - 1);
+        }
+      }
+    }
+    return sets;
+  }
+
+  /** The run of a voxel inside. */
+  std::uint32_t
+  FindRun(const IndexType & voxel) const
+  {
+    const auto * const runs = m_Oracle.m_Components->GetRuns().data();
+    const auto         begin = runs + m_Oracle.m_Components->GetFirstRun(voxel[1], voxel[2]);
+    const auto         end = runs + m_Oracle.m_Components->GetFirstRun(voxel[1] + 1, voxel[2]);
+    const auto         run = std::partition_point(begin, end, [&](const auto & r) { return r.last < voxel[0]; });
+    return static_cast<std::uint32_t>(run - runs);
+  }
+
+  /** The cavity of a voxel outside, or the number of cavities. */
+  std::uint32_t
+  FindCavity(const IndexType & voxel) const
+  {
+    const std::uint32_t number = m_Oracle.GetNumberOfCavities();
+    return number == 0 ? 0 : std::min(number, m_Oracle.m_Cavities->Find(voxel));
+  }
+
+  /** Joins what the inside of a cell joins at its corners. */
+  void
+  JoinCorners(const IndexType &                cell,
+              unsigned int                     corners,
+              DelaunayRefinementDisjointSets & runs,
+              DelaunayRefinementDisjointSets & cavities) const
+  {
+    auto joined =
+      m_Oracle.VisitCell(cell, [corners](const auto & content) { return JoinCornersWithin(content, corners); });
+    const auto voxelOf = [&cell](unsigned int corner) {
+      return IndexType{ cell[0] - 1 + static_cast<std::int32_t>(corner & 1u),
+                        cell[1] - 1 + static_cast<std::int32_t>(corner >> 1 & 1u),
+                        cell[2] - 1 + static_cast<std::int32_t>(corner >> 2) };
+    };
+    for (unsigned int i = 1; i < 8; ++i)
+    {
+      for (unsigned int j = 0; j < i; ++j)
+      {
+        if (joined.Find(i) != joined.Find(j))
+        {
+          continue;
+        }
+        if (corners >> i & 1u)
+        {
+          runs.Join(this->FindRun(voxelOf(i)), this->FindRun(voxelOf(j)));
+        }
+        else
+        {
+          cavities.Join(this->FindCavity(voxelOf(i)), this->FindCavity(voxelOf(j)));
+        }
+      }
+    }
+  }
+
+  const DelaunayRefinementLatticeOracle & m_Oracle;
+};
 
 void
 DelaunayRefinementLatticeOracle::JoinDiagonalVoxels()
@@ -211,24 +492,17 @@ DelaunayRefinementLatticeOracle::JoinDiagonalVoxels()
 DelaunayRefinementTopology
 DelaunayRefinementLatticeOracle::CountTopology() const
 {
-  const auto &              bricks = m_Bricks->GetActiveBricks();
-  std::vector<std::int64_t> sums(DelaunayRefinementThreads::CountPieces(bricks.size(), BricksPerPiece), 0);
-  DelaunayRefinementThreads::RunPieces(
-    m_Threads, bricks.size(), BricksPerPiece, [&](std::size_t piece, std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        for (std::uint64_t cells = m_Bricks->GetCells(bricks[i]); cells != 0; cells &= cells - 1)
-        {
-          sums[piece] += this->CountEightfoldEuler(GetCellOfBrick(bricks[i], cells));
-        }
-      }
-    });
+  const TopologyCount        count(*this);
   DelaunayRefinementTopology topology;
   topology.isKnown = true;
+  // The surface has twice the Euler characteristic of what it bounds.
+  topology.eulerCharacteristic = 2 * count.CountEuler();
   topology.components = this->GetNumberOfComponents();
   topology.cavities = this->GetNumberOfCavities();
-  // The surface has twice the Euler characteristic of what it bounds.
-  topology.eulerCharacteristic = std::accumulate(sums.begin(), sums.end(), std::int64_t{ 0 }) / 4;
+  if (m_Model == ModelEnum::GREY || m_Model == ModelEnum::FIELD)
+  {
+    count.CountParts(topology);
+  }
   return topology;
 }
 } // end namespace itk

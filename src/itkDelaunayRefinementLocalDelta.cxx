@@ -109,6 +109,7 @@ DelaunayRefinementLocalDelta::LowerAround(const PointType & point, double radius
   if (!m_Field.IsStarted())
   {
     m_Field.Start(m_Bounds, resolution, m_Delta);
+    m_Field.Settle();
   }
   m_Field.Lower(point, radius, delta);
   m_Minimum = std::min(m_Minimum, delta);
@@ -121,6 +122,7 @@ DelaunayRefinementLocalDelta::Lower(ComponentType component, double delta)
   {
     return;
   }
+  m_IsSettled = false;
   m_DeltaOfComponents[component] = delta;
   m_Minimum = std::min(m_Minimum, delta);
   m_MayBeLowered.resize(ToOffset(BoxesPerAxis - 1, BoxesPerAxis - 1, BoxesPerAxis - 1) + 1);

@@ -96,6 +96,21 @@ public:
     m_Field.Grade();
   }
 
+  /** R1 holds with delta as it is. */
+  void
+  Settle()
+  {
+    m_IsSettled = true;
+    m_Field.Settle();
+  }
+
+  /** False only if delta has not changed in a patch since Settle(). */
+  bool
+  MayHaveChanged(const PatchType & patch) const
+  {
+    return !m_IsSettled || (m_Field.IsStarted() && m_Field.HasChanged(patch.center, patch.radius));
+  }
+
   /** The components with a lower delta, and their deltas, by component. */
   std::vector<std::pair<ComponentType, double>>
   GetLowered() const;
@@ -129,6 +144,7 @@ private:
   std::vector<bool> m_MayBeLowered{};
 
   DelaunayRefinementSizeField m_Field{};
+  bool                        m_IsSettled{ false }; // but for the field
 };
 } // end namespace itk
 

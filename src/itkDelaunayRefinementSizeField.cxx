@@ -156,6 +156,30 @@ DelaunayRefinementSizeField::GradeRow(std::int32_t y, std::int32_t z, std::int32
   }
 }
 
+bool
+DelaunayRefinementSizeField::HasChanged(const PointType & point, double radius) const
+{
+  if (m_Settled.empty())
+  {
+    return true;
+  }
+  const CubeType first = m_Cubes.ToCube(point, -radius);
+  const CubeType last = m_Cubes.ToCube(point, radius);
+  for (std::int32_t z = first[2]; z <= last[2]; ++z)
+  {
+    for (std::int32_t y = first[1]; y <= last[1]; ++y)
+    {
+      const auto begin = static_cast<std::ptrdiff_t>(m_Cubes.ToOffset({ first[0], y, z }));
+      const auto end = begin + last[0] - first[0] + 1;
+      if (!std::equal(m_Sizes.begin() + begin, m_Sizes.begin() + end, m_Settled.begin() + begin))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 DelaunayRefinementSizeField::RangeType
 DelaunayRefinementSizeField::GetRange(const PointType & point, double radius) const
 {

@@ -66,6 +66,17 @@ public:
     return m_Sizes[m_Cubes.ToOffset(m_Cubes.ToCube(point))];
   }
 
+  /** Sizes are as they should be. */
+  void
+  Settle()
+  {
+    m_Settled = m_Sizes;
+  }
+
+  /** Whether a size within \c radius of a point has changed since Settle(). */
+  bool
+  HasChanged(const PointType & point, double radius) const;
+
   /** Bounds on the size within \c radius of a point. */
   RangeType
   GetRange(const PointType & point, double radius) const;
@@ -82,6 +93,7 @@ private:
 
   DelaunayRefinementCubes m_Cubes{};
   std::vector<float>      m_Sizes{};
+  std::vector<float>      m_Settled{}; // as they were then; empty before
 };
 } // end namespace itk
 

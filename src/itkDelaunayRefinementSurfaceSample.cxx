@@ -67,7 +67,15 @@ DelaunayRefinementSurfaceSample::Certify(std::vector<PointType> &      points,
   using PatchesType = DelaunayRefinementSurfacePatches;
   using SamplerType = DelaunayRefinementBlockSampler;
 
-  const PatchesType            roots = m_Oracle.GetSurfacePatches();
+  const PatchesType all = m_Oracle.GetSurfacePatches();
+  PatchesType       roots(all.GetOrigin());
+  for (std::size_t i = 0; i < all.GetSize(); ++i)
+  {
+    if (m_LocalDelta.MayHaveChanged(all.Get(i)))
+    {
+      roots.Add(all, i);
+    }
+  }
   DelaunayRefinementPatchCover cover(roots, m_LocalDelta.GetMaximum());
   std::atomic<bool>            isStopped{ false };
   std::size_t                  numberOfVisits = 0;

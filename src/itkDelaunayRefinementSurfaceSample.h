@@ -52,8 +52,8 @@ public:
   Add(const PointType & point);
 
   /** Appends the points that R1 inserts, until all of the surface is covered; always the same in the same order,
-   * however many \c threads there are. Again after delta was lowered somewhere. False if \c keepGoing, asked now and
-   * then on the calling thread, said so. */
+   * however many \c threads there are. Again after delta was lowered somewhere: only there. False if \c keepGoing,
+   * asked now and then on the calling thread, said so. */
   bool
   Certify(std::vector<PointType> &      points,
           DelaunayRefinementThreads &   threads,
