@@ -143,9 +143,13 @@ DelaunayRefinementAccuracy::FindPlacesOfOtherTopology(const DelaunayRefinementSt
   {
     addBox(m_Oracle.GetComponentBounds(component));
   }
-  for (const std::uint32_t cavity : FindMissingDelaunayRefinementCavities(m_Oracle, m_Complex, m_Threads))
+  // Smoothing may have filled some.
+  if (statistics.meshTopology.cavities < statistics.imageTopology.cavities)
   {
-    addBox(m_Oracle.GetCavityBounds(cavity));
+    for (const std::uint32_t cavity : FindMissingDelaunayRefinementCavities(m_Oracle, m_Complex, m_Threads))
+    {
+      addBox(m_Oracle.GetCavityBounds(cavity));
+    }
   }
   for (const PointType & point : FindHiddenDelaunayRefinementSurface(m_Oracle, m_Complex, m_Threads))
   {

@@ -304,7 +304,14 @@ class DelaunayRefinementLatticeOracle::TopologyCount
 public:
   explicit TopologyCount(const DelaunayRefinementLatticeOracle & oracle)
     : m_Oracle(oracle)
+    , m_Cavities(*oracle.m_Components, oracle.m_Mask->GetSize())
   {}
+
+  std::int64_t
+  GetNumberOfCavities() const
+  {
+    return static_cast<std::int64_t>(m_Cavities.Get().size());
+  }
 
   /** Of the object. */
   std::int64_t
@@ -332,7 +339,7 @@ public:
   {
     DelaunayRefinementDisjointSets runs = this->JoinRuns();
     // The last one is all around the object.
-    DelaunayRefinementDisjointSets cavities(m_Oracle.GetNumberOfCavities() + 1);
+    DelaunayRefinementDisjointSets cavities(m_Cavities.Get().size() + 1);
     for (const IndexType & brick : m_Oracle.m_Bricks->GetActiveBricks())
     {
       this->ForEachCell(brick, [&](const IndexType & cell, unsigned int corners) {
@@ -419,8 +426,7 @@ private:
   std::uint32_t
   FindCavity(const IndexType & voxel) const
   {
-    const std::uint32_t number = m_Oracle.GetNumberOfCavities();
-    return number == 0 ? 0 : std::min(number, m_Oracle.m_Cavities->Find(voxel));
+    return std::min(static_cast<std::uint32_t>(m_Cavities.Get().size()), m_Cavities.Find(voxel));
   }
 
   /** Joins what the inside of a cell joins at its corners. */
@@ -458,6 +464,7 @@ private:
   }
 
   const DelaunayRefinementLatticeOracle & m_Oracle;
+  DelaunayRefinementVoxelCavities         m_Cavities; // of the mask as it is now
 };
 
 void
@@ -498,8 +505,8 @@ DelaunayRefinementLatticeOracle::CountTopology() const
   // The surface has twice the Euler characteristic of what it bounds.
   topology.eulerCharacteristic = 2 * count.CountEuler();
   topology.components = this->GetNumberOfComponents();
-  topology.cavities = this->GetNumberOfCavities();
-  if (m_Model == ModelEnum::GREY || m_Model == ModelEnum::FIELD)
+  topology.cavities = count.GetNumberOfCavities();
+  if (m_Model == ModelEnum::GREY || m_Model == ModelEnum::FIELD || m_Smoothed != nullptr)
   {
     count.CountParts(topology);
   }

@@ -160,6 +160,20 @@ TEST(DelaunayRefinementMeshFilterTopology, VoxelsThatTouchInAnEdgeAreJoined)
   }
 }
 
+TEST(DelaunayRefinementMeshFilterTopology, IsThatOfTheSmoothedObject)
+{
+  // The smallest cavity is filled by it, the larger one is not.
+  const auto image = MakeBlock(20, [](int x, int y, int z) {
+    return !(x == 5 && y == 5 && z == 5) && !(x > 9 && x < 15 && y > 9 && y < 15 && z > 9 && z < 15);
+  });
+  const auto filter = MakeFilter<DoubleMeshType>(image.GetPointer(), 8.0);
+  filter->SetSmoothing(0.8);
+  filter->PreserveTopologyOn();
+  filter->Update();
+  ExpectTopology(filter->GetStatistics().imageTopology, 1, 1, 0);
+  ExpectTopology(MeasureTopology(GetMesh(filter.GetPointer())), 1, 1, 0);
+}
+
 TEST(DelaunayRefinementMeshFilterTopology, RandomVoxelsHaveTheirTopology)
 {
   // Two counts that know nothing of each other: in the image, and on the mesh.
