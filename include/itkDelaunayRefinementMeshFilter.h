@@ -204,11 +204,12 @@ public:
   itkGetConstMacro(HausdorffBound, double);
   /** @ITKEndGrouping */
 
-  /** Delta is lowered, down to a quarter of the least spacing, where boundary and surface are joined in different ways,
-   * until the mesh has as many components, cavities and handles as the object in the image; a warning says if that was
-   * not reached. GetStatistics() has the counts. Voxels that touch in an edge are joined then,
-   * which moves the surface there by a sixth of a voxel at most. For one object, not for several labels, and with
-   * Manifold on, else Update() throws. Default off. Not in the paper. */
+  /** Delta is lowered, to a thirty-second of the least spacing if need be, where boundary and surface are joined in
+   * different ways, until the mesh has as many components, cavities and handles as the object in the image; a warning
+   * says if that was not reached. GetStatistics() has the counts. Voxels that touch in an edge are joined then, which
+   * moves the surface there by a sixth of a voxel at most. For one object, not for several labels, with Manifold on,
+   * and not with nearest-neighbor interpolation, else Update() throws. Give a mask by labels or a threshold: where an
+   * iso value ties with pixels, what touches in an edge is not joined. Default off. Not in the paper. */
   /** @ITKStartGrouping */
   itkSetMacro(PreserveTopology, bool);
   itkGetConstMacro(PreserveTopology, bool);

@@ -426,12 +426,38 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::SetSizes(const SizeField
                                                                  double                         leastSize,
                                                                  DelaunayRefinementParameters & parameters)
 {
-  const auto interpolator = LinearInterpolateImageFunction<SizeFieldType, double>::New();
-  interpolator->SetInputImage(field);
-  parameters.sizeField = [field, interpolator](const DelaunayRefinementPoint & point) {
-    const auto index = field->template TransformPhysicalPointToContinuousIndex<double>(Point<double, 3>(point.data()));
-    return interpolator->IsInsideBuffer(index) ? interpolator->EvaluateAtContinuousIndex(index)
-                                               : std::numeric_limits<double>::infinity();
+  // What is interpolated is no less than the least of the pixels around.
+  const auto toIndex = field->GetInverseDirection();
+  parameters.sizeField = [field, toIndex](const DelaunayRefinementPoint & point, double reach) {
+    const auto center = field->template TransformPhysicalPointToContinuousIndex<double>(Point<double, 3>(point.data()));
+    const auto &                      region = field->GetBufferedRegion();
+    typename SizeFieldType::IndexType first;
+    typename SizeFieldType::IndexType last;
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      const double extent =
+        reach / field->GetSpacing()[i] * (std::abs(toIndex[i][0]) + std::abs(toIndex[i][1]) + std::abs(toIndex[i][2]));
+      const double low = static_cast<double>(region.GetIndex(i));
+      const double high = low + static_cast<double>(region.GetSize(i)) - 1.0;
+      if (!(center[i] + extent >= low - 0.5 && center[i] - extent <= high + 0.5))
+      {
+        return std::numeric_limits<double>::infinity();
+      }
+      first[i] = static_cast<IndexValueType>(std::clamp(std::floor(center[i] - extent), low, high));
+      last[i] = static_cast<IndexValueType>(std::clamp(std::ceil(center[i] + extent), low, high));
+    }
+    double least = std::numeric_limits<double>::infinity();
+    for (auto index = first; index[2] <= last[2]; ++index[2])
+    {
+      for (index[1] = first[1]; index[1] <= last[1]; ++index[1])
+      {
+        for (index[0] = first[0]; index[0] <= last[0]; ++index[0])
+        {
+          least = std::min<double>(least, field->GetPixel(index));
+        }
+      }
+    }
+    return least;
   };
   const auto & spacing = field->GetSpacing();
   parameters.sizeFieldStep = std::max(*std::min_element(spacing.Begin(), spacing.End()), 0.5 * leastSize);

@@ -182,16 +182,23 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::EstimateGrowth(
   const DelaunayRefinementLatticeOracle & oracle,
   const DelaunayRefinementParameters &    parameters) const
 {
-  const auto patches = oracle.GetSurfacePatches();
-  if (!parameters.sizeField || patches.GetSize() == 0)
+  if (!parameters.sizeField)
   {
     return 1.0;
   }
-  double sum = 0.0;
+  const auto  patches = oracle.GetSurfacePatches();
+  double      sum = 0.0;
+  std::size_t numberWithin = 0;
   for (std::size_t i = 0; i < patches.GetSize(); ++i)
   {
-    const double size = std::min(parameters.delta, parameters.sizeField(patches.Get(i).center));
+    const double own = parameters.sizeField(patches.Get(i).center, 0.0);
+    const double size = std::min(parameters.delta, own);
+    numberWithin += std::isfinite(own) ? 1 : 0;
     sum += (parameters.delta / size) * (parameters.delta / size);
+  }
+  if (numberWithin == 0)
+  {
+    itkExceptionMacro("SizeField lies elsewhere in space than the object; check its origin, spacing and direction");
   }
   return sum / static_cast<double>(patches.GetSize());
 }
@@ -352,9 +359,11 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::VerifyPrecision(const De
     std::min(*std::min_element(parameters.componentDelta.begin(), parameters.componentDelta.end()), leastSize);
   if (largest * static_cast<double>(std::numeric_limits<CoordinateType>::epsilon()) > largestShare * least)
   {
-    itkExceptionMacro("Coordinates as large as " << largest << " mm can't tell points apart for Delta " << least
-                                                 << " mm in the mesh's type of coordinates; use a mesh with double "
-                                                    "coordinates, a larger Delta, or an origin nearer to 0");
+    itkExceptionMacro("Coordinates as large as "
+                      << largest << " mm can't tell points apart for Delta " << least
+                      << " mm in the mesh's type of coordinates; use a mesh with double "
+                         "coordinates, a larger Delta (and SizeField, if there is one), or an origin "
+                         "nearer to 0");
   }
 }
 
@@ -367,8 +376,8 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::VerifyMemory(
 {
   // Measured: some 800 bytes for each tetrahedron of the mesh, those outside it included.
   constexpr double megabytesPerTetrahedron = 1e-3;
-  double           megabytes =
-    megabytesPerTetrahedron * oracle.EstimateNumberOfTetrahedra(parameters) * this->EstimateGrowth(oracle, parameters);
+  const double     growth = this->EstimateGrowth(oracle, parameters);
+  double           megabytes = megabytesPerTetrahedron * oracle.EstimateNumberOfTetrahedra(parameters) * growth;
   for (std::size_t i = 0; i < kept.size(); ++i)
   {
     if (parameters.componentDelta[i] < parameters.delta)
@@ -384,7 +393,8 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::VerifyMemory(
   {
     itkExceptionMacro("Delta " << m_EffectiveDelta << " is too small for this object: the mesh would need some "
                                << std::ceil(megabytes / 1024.0) << " GB of memory, and "
-                               << std::floor(available / 1024.0) << " GB are free; set a larger Delta or CellSize");
+                               << std::floor(available / 1024.0) << " GB are free; set a larger Delta or CellSize"
+                               << (growth > 1.0 ? ", or larger lengths in SizeField" : ""));
   }
 }
 
@@ -459,6 +469,12 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::VerifyLabels() const
                       << this->DescribeLabels(m_RegionLabels) << "; choose one of them, or set MergeLabels");
   }
   const std::string interpolator = m_Interpolator.IsNull() ? "" : m_Interpolator->GetNameOfClass();
+  if (m_PreserveTopology && interpolator == "NearestNeighborInterpolateImageFunction")
+  {
+    itkExceptionMacro(
+      "PreserveTopology does not go with nearest-neighbor interpolation, whose surface is no 2-manifold "
+      "where voxels touch in an edge; set another Interpolator");
+  }
   if (m_Smoothing > 0.0 && !interpolator.empty() && interpolator != "LinearInterpolateImageFunction")
   {
     itkExceptionMacro("Smoothing goes with linear interpolation alone; set another Interpolator than "
@@ -563,9 +579,10 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::ThrowIfStrict() const
   const bool hasTopology = m_Statistics.meshTopology == m_Statistics.imageTopology;
   if (m_Strict && !(isComplete && isNear && hasTopology))
   {
-    // What is missing is told first.
+    // What is missing is told first, what is not true to the image last.
     itkExceptionMacro("The mesh is not " << (isComplete ? "true to the image" : "complete") << ", as Strict asks for: "
-                                         << m_Warnings.front() << "; set a smaller Delta, or leave Strict off");
+                                         << (isComplete ? m_Warnings.back() : m_Warnings.front())
+                                         << "; set a smaller Delta, or leave Strict off");
   }
 }
 

@@ -75,8 +75,9 @@ struct DelaunayRefinementParameters
    * not kept. Infinite: no bound, and no distance is measured. */
   double hausdorffBound{ std::numeric_limits<double>::infinity() };
 
-  /** Delta is lowered until the boundary has the topology of the object, but no further than this (mm). Infinite: not
-   * for the sake of topology, which is not counted. Only for one region, and with \c manifold. */
+  /** Delta is lowered until the boundary has the topology of the object, no further than to this (mm) where topology
+   * itself tells where, and to an eighth of it where a distance has to. Infinite: not for the sake of topology, which
+   * is not counted. Only for one region, and with \c manifold. */
   double topologySize{ std::numeric_limits<double>::infinity() };
 
   /** Delta is lowered, but no further than this (mm), where boundary and surface are farther from each other than \c
@@ -88,11 +89,12 @@ struct DelaunayRefinementParameters
   double leastDeviation{ 0.0 };
   /** @ITKEndGrouping */
 
-  /** An upper bound on delta at each point of space (mm), positive, which varies in steps of space of about \c
-   * sizeFieldStep (mm). May be called by one thread at a time. Empty: none. */
+  /** An upper bound on delta (mm), positive: the least one in the axis-aligned cube around a point whose edges are
+   * twice
+   * \c reach (mm) long. Asked for cubes with edges of about \c sizeFieldStep (mm), on one thread. Empty: none. */
   /** @ITKStartGrouping */
-  std::function<double(const DelaunayRefinementPoint &)> sizeField{};
-  double                                                 sizeFieldStep{ 1.0 };
+  std::function<double(const DelaunayRefinementPoint & point, double reach)> sizeField{};
+  double                                                                     sizeFieldStep{ 1.0 };
   /** @ITKEndGrouping */
 
   /** The refinement stops with VERTEX_LIMIT before the triangulation has more vertices. */

@@ -34,10 +34,8 @@ constexpr double SmallestStep = 0.01;
 
 constexpr unsigned int MaximumNumberOfRounds = 40;
 
-/** Steps in which delta varies in space: over the bound on the distance, and over the least deltas. */
-constexpr double BoundResolution = 0.5;
-constexpr double DeltaResolution = 1.0;
-constexpr double TopologyResolution = 2.0;
+/** How well distances are measured, over what was asked for. */
+constexpr double ToleranceShare = 0.1;
 
 /** Bounds on the distance that are tried for the sake of topology: the first one over the least delta, and each later
  * one over that before. */
@@ -59,9 +57,6 @@ DelaunayRefinementAccuracy::DelaunayRefinementAccuracy(const DelaunayRefinementO
   , m_Complex(complex)
   , m_LocalDelta(localDelta)
   , m_Threads(threads)
-  , m_Resolution(std::min({ BoundResolution * parameters.hausdorffBound,
-                            DeltaResolution * parameters.leastDelta,
-                            TopologyResolution * parameters.topologySize }))
 {}
 
 bool
@@ -83,8 +78,12 @@ DelaunayRefinementAccuracy::Improve(DelaunayRefinementStatistics & statistics)
   }
   if (std::isfinite(m_Parameters.hausdorffBound) || std::isfinite(m_Parameters.leastDelta))
   {
-    statistics.meshToSurface = m_Fidelity->MeasureFromFacets();
-    statistics.surfaceToMesh = m_Fidelity->MeasureFromSurface();
+    const double deviation =
+      std::max(m_Parameters.deviationShare * m_LocalDelta.GetMinimum(), m_Parameters.leastDeviation);
+    const double asked = std::isfinite(m_Parameters.leastDelta) ? std::min(deviation, m_Parameters.hausdorffBound)
+                                                                : m_Parameters.hausdorffBound;
+    statistics.meshToSurface = m_Fidelity->MeasureFromFacets(ToleranceShare * asked);
+    statistics.surfaceToMesh = m_Fidelity->MeasureFromSurface(ToleranceShare * asked);
   }
   return false;
 }
@@ -157,7 +156,14 @@ DelaunayRefinementAccuracy::FindPlacesOfOtherTopology(const DelaunayRefinementSt
   }
   for (const auto cell : FindSuperfluousDelaunayRefinementParts(m_Oracle, m_Complex))
   {
-    places.push_back({ m_Complex.GetCircumcenter(cell), std::sqrt(m_Complex.GetSquaredRadius(cell)), least });
+    for (const auto vertex : m_Complex.GetTriangulation().GetCell(cell).vertices)
+    {
+      if (m_Complex.IsFeature(vertex))
+      {
+        const PointType & point = m_Complex.GetPoint(vertex);
+        places.push_back({ point, HiddenShare * m_LocalDelta.GetAt(point), least });
+      }
+    }
   }
   return places;
 }
@@ -178,7 +184,7 @@ DelaunayRefinementAccuracy::Lower(const std::vector<PlaceType> & places)
     const double lowered = std::max(DeltaStep * deltas[i], places[i].leastDelta);
     if (lowered < (1.0 - SmallestStep) * m_LocalDelta.GetAt(places[i].center))
     {
-      m_LocalDelta.LowerAround(places[i].center, places[i].radius, lowered, m_Resolution);
+      m_LocalDelta.LowerAround(places[i].center, places[i].radius, lowered);
       isLowered = true;
     }
   }

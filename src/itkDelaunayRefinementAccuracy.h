@@ -72,7 +72,6 @@ private:
   const DelaunayRefinementComplex &           m_Complex;
   DelaunayRefinementLocalDelta &              m_LocalDelta;
   DelaunayRefinementThreads &                 m_Threads;
-  double                                      m_Resolution;
   std::unique_ptr<DelaunayRefinementFidelity> m_Fidelity{};
   unsigned int                                m_NumberOfRounds{ 0 };
 };

@@ -44,8 +44,8 @@ constexpr double FewPlaces = 0.05;
 /** Delta is lowered within this share of it around what is too far. */
 constexpr double ReachShare = 0.5;
 
-/** How well distances are measured, over the bound. */
-constexpr double ToleranceShare = 0.1;
+/** Delta counts as greater than the least one beyond this factor. */
+constexpr double LeastDeltaMargin = 1.01;
 
 /** Delta is lowered to this share of the bound at most. */
 constexpr double LeastDeltaShare = 0.125;
@@ -124,9 +124,6 @@ DelaunayRefinementFidelity::DelaunayRefinementFidelity(const DelaunayRefinementO
   , m_Complex(complex)
   , m_LocalDelta(localDelta)
   , m_Threads(threads)
-  , m_Tolerance(ToleranceShare *
-                std::min(parameters.hausdorffBound,
-                         std::max(parameters.deviationShare * parameters.leastDelta, parameters.leastDeviation)))
 {
   const auto patches = oracle.GetSurfacePatches();
   m_Pieces.reserve(patches.GetSize());
@@ -137,18 +134,16 @@ DelaunayRefinementFidelity::DelaunayRefinementFidelity(const DelaunayRefinementO
 }
 
 DelaunayRefinementFidelity::BoundType
-DelaunayRefinementFidelity::GetBound(const PointType & center, double radius) const
+DelaunayRefinementFidelity::GetBound(double delta) const
 {
   const double    overall = m_Parameters.hausdorffBound;
   const BoundType bound{ overall, LeastDeltaShare * overall };
-  if (std::isinf(m_Parameters.leastDelta))
+  if (!(delta > LeastDeltaMargin * m_Parameters.leastDelta))
   {
     return bound;
   }
-  const double delta = m_LocalDelta.GetRange(center, radius).least;
   const double deviation = std::max(m_Parameters.deviationShare * delta, m_Parameters.leastDeviation);
-  return deviation < overall && delta > m_Parameters.leastDelta ? BoundType{ deviation, m_Parameters.leastDelta }
-                                                                : bound;
+  return deviation < overall ? BoundType{ deviation, m_Parameters.leastDelta } : bound;
 }
 
 std::vector<DelaunayRefinementFidelity::PlaceType>
@@ -240,7 +235,7 @@ DelaunayRefinementFidelity::CertifySurface(double smallest, std::vector<PlaceTyp
 bool
 DelaunayRefinementFidelity::CertifyPatch(const PatchType & patch, double smallest, PartType & part) const
 {
-  const BoundType bound = this->GetBound(patch.center, patch.radius);
+  const BoundType bound = this->GetBound(m_LocalDelta.GetRange(patch).least);
   if (std::isinf(bound.distance))
   {
     part.pieces.push_back({ patch, {} });
@@ -313,7 +308,7 @@ DelaunayRefinementFidelity::CertifyFacets(double smallest, std::vector<PlaceType
         }
         // Vertices are on the surface.
         const BallType   ball = FindBall(triangle);
-        const BoundType  bound = this->GetBound(ball.center, ball.radius);
+        const BoundType  bound = this->GetBound(m_LocalDelta.GetAt(ball.center));
         PlaceType        place{ {}, 0.0, bound.leastDelta };
         const AnswerEnum answer = GetReachOfVertices(triangle) < bound.distance
                                     ? AnswerEnum::CERTIFIED
@@ -373,7 +368,7 @@ DelaunayRefinementFidelity::CertifyTriangle(const TriangleType & triangle,
 }
 
 DelaunayRefinementFidelity::DistanceType
-DelaunayRefinementFidelity::MeasureFromFacets() const
+DelaunayRefinementFidelity::MeasureFromFacets(double tolerance) const
 {
   // Vertices are on the surface.
   std::priority_queue<PieceType<TriangleType>> queue;
@@ -382,23 +377,23 @@ DelaunayRefinementFidelity::MeasureFromFacets() const
     queue.push({ GetReachOfVertices(triangle), triangle });
   }
   DistanceType greatest{ 0.0, {} };
-  while (!queue.empty() && queue.top().most > greatest.distance + m_Tolerance)
+  while (!queue.empty() && queue.top().most > greatest.distance + tolerance)
   {
     const auto     piece = queue.top();
     const BallType ball = FindBall(piece.piece);
-    const double   enough = greatest.distance + m_Tolerance - ball.radius;
+    const double   enough = greatest.distance + tolerance - ball.radius;
     queue.pop();
     if (enough > 0.0 && m_Oracle.IsSurfaceWithin(ball.center, enough))
     {
       continue;
     }
     double most = piece.most;
-    if (ball.radius <= m_Tolerance)
+    if (ball.radius <= tolerance)
     {
       // Well enough known by some questions: the closest point would take far longer.
       double low = std::max(enough, 0.0);
       double high = piece.most;
-      while (high - low > 0.25 * m_Tolerance)
+      while (high - low > 0.25 * tolerance)
       {
         const double middle = 0.5 * (low + high);
         (m_Oracle.IsSurfaceWithin(ball.center, middle) ? high : low) = middle;
@@ -418,13 +413,13 @@ DelaunayRefinementFidelity::MeasureFromFacets() const
 }
 
 DelaunayRefinementFidelity::DistanceType
-DelaunayRefinementFidelity::MeasureFromSurface() const
+DelaunayRefinementFidelity::MeasureFromSurface(double tolerance) const
 {
   DistanceType                              greatest{ 0.0, {} };
   std::priority_queue<PieceType<PatchType>> queue;
   const auto                                push = [&](const PatchType & patch) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    const double     enough = greatest.distance + m_Tolerance - patch.radius;
+    const double     enough = greatest.distance + tolerance - patch.radius;
     const double     distance = m_Grid.Find(patch.center, enough, infinity).distance;
     PointType        point;
     if (distance <= enough || !m_Oracle.FindPointOfPatch(patch.identifier, point))
@@ -442,7 +437,7 @@ DelaunayRefinementFidelity::MeasureFromSurface() const
   {
     push(piece.patch);
   }
-  while (!queue.empty() && queue.top().most > greatest.distance + m_Tolerance)
+  while (!queue.empty() && queue.top().most > greatest.distance + tolerance)
   {
     const PatchType patch = queue.top().piece;
     queue.pop();

@@ -62,11 +62,11 @@ public:
   FindFarPlaces();
 
   /** After FindFarPlaces(): the greatest distances from the facets to the surface, and from there to the facets. Each
-   * is that of its place; no other is greater by more than a tenth of the bound on it. */
+   * is that of its place; no other is greater by more than \c tolerance. */
   DistanceType
-  MeasureFromFacets() const;
+  MeasureFromFacets(double tolerance) const;
   DistanceType
-  MeasureFromSurface() const;
+  MeasureFromSurface(double tolerance) const;
 
 private:
   using PatchType = DelaunayRefinementSurfacePatches::PatchType;
@@ -108,9 +108,9 @@ private:
     double leastDelta; // that may be asked for where it is not kept
   };
 
-  /** The bound for pieces of surface in a ball. */
+  /** The bound where a delta holds. */
   BoundType
-  GetBound(const PointType & center, double radius) const;
+  GetBound(double delta) const;
 
   bool
   PartsRegions(const FacetType & facet) const;
@@ -147,7 +147,6 @@ private:
   const DelaunayRefinementComplex &      m_Complex;
   const DelaunayRefinementLocalDelta &   m_LocalDelta;
   DelaunayRefinementThreads &            m_Threads;
-  double                                 m_Tolerance; // of measured distances
   std::vector<FacetType>                 m_Facets{};
   DelaunayRefinementTriangleGrid         m_Grid{}; // of the facets, with their numbers
   std::vector<CertifiedType>             m_Pieces{};

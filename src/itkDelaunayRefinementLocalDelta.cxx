@@ -21,6 +21,14 @@
 
 namespace itk
 {
+namespace
+{
+/** Steps of space in which delta is lowered: over the bound on the distance, and over the least deltas. */
+constexpr double BoundResolution = 0.5;
+constexpr double DeltaResolution = 1.0;
+constexpr double TopologyResolution = 2.0;
+} // namespace
+
 DelaunayRefinementLocalDelta::DelaunayRefinementLocalDelta(const DelaunayRefinementOracle &     oracle,
                                                            const DelaunayRefinementParameters & parameters)
   : m_Oracle(oracle)
@@ -28,6 +36,9 @@ DelaunayRefinementLocalDelta::DelaunayRefinementLocalDelta(const DelaunayRefinem
   , m_Delta(parameters.delta)
   , m_Minimum(parameters.delta)
   , m_DeltaOfComponents(oracle.GetNumberOfComponents(), parameters.delta)
+  , m_Resolution(std::min({ BoundResolution * parameters.hausdorffBound,
+                            DeltaResolution * parameters.leastDelta,
+                            TopologyResolution * parameters.topologySize }))
 {
   for (unsigned int i = 0; i < 3; ++i)
   {
@@ -39,7 +50,7 @@ DelaunayRefinementLocalDelta::DelaunayRefinementLocalDelta(const DelaunayRefinem
   }
   if (parameters.sizeField)
   {
-    m_Field.Start(m_Bounds, parameters.sizeFieldStep, m_Delta);
+    m_Field.Start(m_Bounds, std::min(parameters.sizeFieldStep, m_Resolution), m_Delta);
     m_Minimum = std::min(m_Minimum, m_Field.Lower(parameters.sizeField));
     m_Field.Grade();
   }
@@ -104,11 +115,11 @@ DelaunayRefinementLocalDelta::GetRange(const PatchType & patch) const
 }
 
 void
-DelaunayRefinementLocalDelta::LowerAround(const PointType & point, double radius, double delta, double resolution)
+DelaunayRefinementLocalDelta::LowerAround(const PointType & point, double radius, double delta)
 {
   if (!m_Field.IsStarted())
   {
-    m_Field.Start(m_Bounds, resolution, m_Delta);
+    m_Field.Start(m_Bounds, m_Resolution, m_Delta);
     m_Field.Settle();
   }
   m_Field.Lower(point, radius, delta);

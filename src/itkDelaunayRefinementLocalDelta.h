@@ -48,13 +48,6 @@ public:
   RangeType
   GetRange(const PatchType & patch) const;
 
-  /** Bounds on what delta is lowered to within \c radius of a point, but for components. */
-  RangeType
-  GetRange(const PointType & point, double radius) const
-  {
-    return m_Field.IsStarted() ? m_Field.GetRange(point, radius) : RangeType{ m_Delta, m_Delta };
-  }
-
   double
   GetOfComponent(ComponentType component) const
   {
@@ -84,10 +77,9 @@ public:
   void
   Lower(ComponentType component, double delta);
 
-  /** Lowers delta within \c radius of a point. Unless there is a size field the first call says in which steps of space
-   * delta varies: \c resolution. */
+  /** Lowers delta within \c radius of a point. */
   void
-  LowerAround(const PointType & point, double radius, double delta, double resolution);
+  LowerAround(const PointType & point, double radius, double delta);
 
   /** After LowerAround(): lowers delta around, so that it changes slowly. */
   void
@@ -143,6 +135,7 @@ private:
    * none is lowered. */
   std::vector<bool> m_MayBeLowered{};
 
+  double                      m_Resolution; // steps of space in which delta varies
   DelaunayRefinementSizeField m_Field{};
   bool                        m_IsSettled{ false }; // but for the field
 };

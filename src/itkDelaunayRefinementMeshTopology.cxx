@@ -18,6 +18,7 @@
 #include "itkDelaunayRefinementMeshTopology.h"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 namespace itk
@@ -61,10 +62,13 @@ FindParts(const DelaunayRefinementComplex & complex, bool isInside)
   return parts;
 }
 
-/** Appends the cells of parts with an owner that a larger part has already. */
-template <typename TFindOwner>
+/** Appends the finite cells of parts with an owner that a larger part has already. */
+template <typename TFindOwner, typename TIsFinite>
 void
-AppendSuperfluous(std::vector<PartType> parts, const TFindOwner & findOwner, PartType & superfluous)
+AppendSuperfluous(std::vector<PartType> parts,
+                  const TFindOwner &    findOwner,
+                  const TIsFinite &     isFinite,
+                  PartType &            superfluous)
 {
   std::stable_sort(
     parts.begin(), parts.end(), [](const PartType & a, const PartType & b) { return a.size() > b.size(); });
@@ -73,7 +77,7 @@ AppendSuperfluous(std::vector<PartType> parts, const TFindOwner & findOwner, Par
   {
     if (!owners.insert(findOwner(part)).second)
     {
-      superfluous.insert(superfluous.end(), part.begin(), part.end());
+      std::copy_if(part.begin(), part.end(), std::back_inserter(superfluous), isFinite);
     }
   }
 }
@@ -163,14 +167,14 @@ FindSuperfluousDelaunayRefinementParts(const DelaunayRefinementOracle &  oracle,
   const auto   findComponent = [&](const PartType & part) {
     return oracle.FindComponent(complex.GetCircumcenter(part.front()));
   };
+  const auto isFinite = [&](IndexType cell) { return !triangulation.IsInfinite(cell); };
   const auto findCavity = [&](const PartType & part) {
-    const auto isInfinite = [&](IndexType cell) { return triangulation.IsInfinite(cell); };
-    return std::any_of(part.begin(), part.end(), isInfinite) ? oracle.GetNumberOfCavities()
-                                                             : oracle.FindCavity(complex.GetCircumcenter(part.front()));
+    return !std::all_of(part.begin(), part.end(), isFinite) ? oracle.GetNumberOfCavities()
+                                                            : oracle.FindCavity(complex.GetCircumcenter(part.front()));
   };
   PartType superfluous;
-  AppendSuperfluous(FindParts(complex, true), findComponent, superfluous);
-  AppendSuperfluous(FindParts(complex, false), findCavity, superfluous);
+  AppendSuperfluous(FindParts(complex, true), findComponent, isFinite, superfluous);
+  AppendSuperfluous(FindParts(complex, false), findCavity, isFinite, superfluous);
   return superfluous;
 }
 } // end namespace itk

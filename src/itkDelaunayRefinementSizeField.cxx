@@ -76,30 +76,22 @@ DelaunayRefinementSizeField::Lower(const PointType & point, double radius, doubl
 }
 
 double
-DelaunayRefinementSizeField::Lower(const std::function<double(const PointType &)> & size)
+DelaunayRefinementSizeField::Lower(const std::function<double(const PointType &, double)> & size)
 {
-  const CubeType & length = m_Cubes.length;
-  float            least = std::numeric_limits<float>::infinity();
-  for (std::int32_t z = 0; z <= length[2]; ++z)
+  const double half = 0.5 * m_Cubes.size;
+  float *      own = m_Sizes.data();
+  float        least = std::numeric_limits<float>::infinity();
+  for (std::int32_t z = 0; z < m_Cubes.length[2]; ++z)
   {
-    for (std::int32_t y = 0; y <= length[1]; ++y)
+    for (std::int32_t y = 0; y < m_Cubes.length[1]; ++y)
     {
-      for (std::int32_t x = 0; x <= length[0]; ++x)
+      for (std::int32_t x = 0; x < m_Cubes.length[0]; ++x)
       {
-        const float corner = static_cast<float>(size({ m_Cubes.minimum[0] + x * m_Cubes.size,
-                                                       m_Cubes.minimum[1] + y * m_Cubes.size,
-                                                       m_Cubes.minimum[2] + z * m_Cubes.size }));
-        least = std::min(least, corner);
-        for (std::int32_t i = 0; i < 8; ++i)
-        {
-          const CubeType cube{ x - (i & 1), y - (i >> 1 & 1), z - (i >> 2) };
-          if (cube[0] >= 0 && cube[1] >= 0 && cube[2] >= 0 && cube[0] < length[0] && cube[1] < length[1] &&
-              cube[2] < length[2])
-          {
-            float & own = m_Sizes[m_Cubes.ToOffset(cube)];
-            own = std::min(own, corner);
-          }
-        }
+        const PointType center{ m_Cubes.minimum[0] + (2 * x + 1) * half,
+                                m_Cubes.minimum[1] + (2 * y + 1) * half,
+                                m_Cubes.minimum[2] + (2 * z + 1) * half };
+        *own = std::min(*own, static_cast<float>(size(center, half)));
+        least = std::min(least, *own++);
       }
     }
   }

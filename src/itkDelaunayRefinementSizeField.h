@@ -52,9 +52,10 @@ public:
   void
   Lower(const PointType & point, double radius, double size);
 
-  /** Lowers the size in each cube to the least of a function's values at its corners, and returns the least of all. */
+  /** Lowers the size in each cube to a function's value for its center and half of its edge; returns the least of all.
+   */
   double
-  Lower(const std::function<double(const PointType &)> & size);
+  Lower(const std::function<double(const PointType &, double)> & size);
 
   /** Lowers sizes where they grow too fast, distances being counted along the directions to a cube's 26 neighbors. */
   void

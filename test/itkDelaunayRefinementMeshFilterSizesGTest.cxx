@@ -109,6 +109,66 @@ TEST(DelaunayRefinementMeshFilterSizes, SizeFieldBoundsDelta)
   }
 }
 
+TEST(DelaunayRefinementMeshFilterSizes, ASheetOfSmallSizesIsSeen)
+{
+  const auto image = MakeMask(MakeCubeGeometry(32), BallOracle(origin, 12.0));
+  const auto filter = MakeFilter<DoubleMeshType>(image.GetPointer(), 8.0);
+  filter->Update();
+  const std::size_t plain = filter->GetOutput()->GetNumberOfCells();
+  for (const double shift : { 0.0, 0.3, 0.5, 0.8 })
+  {
+    // One pixel thick.
+    auto geometry = MakeCubeGeometry(40);
+    geometry.origin[0] += shift;
+    const auto field = MakeImage<float>(
+      geometry, [shift](const PointType & point) { return std::abs(point[0] - shift - 0.5) < 0.1 ? 1.0f : 8.0f; });
+    filter->SetSizeField(field);
+    filter->Update();
+    EXPECT_GT(filter->GetOutput()->GetNumberOfCells(), 20 * plain) << shift;
+  }
+}
+
+TEST(DelaunayRefinementMeshFilterSizes, SizeFieldLiesWhereTheObjectIs)
+{
+  const auto image = MakeMask(MakeCubeGeometry(32), BallOracle(origin, 12.0));
+  const auto filter = MakeFilter(image.GetPointer(), 8.0);
+  const auto elsewhere = CenterAt(MakeCubeGeometry(32), { 0.0, 500.0, 0.0 });
+  filter->SetSizeField(MakeImage<float>(elsewhere, [](const PointType &) { return 2.0f; }));
+  ExpectError(filter.GetPointer(), { "SizeField", "origin" });
+}
+
+TEST(DelaunayRefinementMeshFilterSizes, ACoarseSizeFieldLeavesOtherBoundsLocal)
+{
+  // Large pixels of a length that changes nothing.
+  const TorusOracle torus({ 0.0, 0.0, 0.0 }, 10.0, 3.0);
+  const auto filter = MakeFilter<DoubleMeshType>(MakeDistanceImage(MakeCubeGeometry(32), torus).GetPointer(), 8.0);
+  filter->SetIsoValue(0.0);
+  filter->SetHausdorffBound(0.6);
+  filter->Update();
+  const std::size_t without = filter->GetOutput()->GetNumberOfCells();
+  auto              geometry = MakeCubeGeometry(2);
+  geometry.spacing.Fill(40.0);
+  filter->SetSizeField(MakeImage<float>(CenterAt(geometry, origin), [](const PointType &) { return 8.0f; }));
+  filter->Update();
+  EXPECT_LT(filter->GetOutput()->GetNumberOfCells(), 2 * without);
+}
+
+TEST(DelaunayRefinementMeshFilterSizes, MinimumDeltaLeavesTheHausdorffBoundInForce)
+{
+  // Lengths that single precision rounds up.
+  const TorusOracle torus({ 0.0, 0.0, 0.0 }, 10.0, 3.0);
+  const auto filter = MakeFilter<DoubleMeshType>(MakeDistanceImage(MakeCubeGeometry(32), torus).GetPointer(), 6.0);
+  filter->SetIsoValue(0.0);
+  filter->SetHausdorffBound(0.5);
+  for (const double least : { 2.2, 2.4, 2.7, 4.1 })
+  {
+    filter->SetMinimumDelta(least);
+    filter->Update();
+    EXPECT_LT(filter->GetStatistics().meshToSurface.distance, 0.5) << least;
+    EXPECT_LT(filter->GetStatistics().surfaceToMesh.distance, 0.5) << least;
+  }
+}
+
 TEST(DelaunayRefinementMeshFilterSizes, GreatestSizeIsTheDefaultDelta)
 {
   const auto image = MakeMask(MakeCubeGeometry(32), BallOracle(origin, 12.0));

@@ -21,6 +21,8 @@
 #include "itkFilterRun.h"
 #include "itkMeshTopologyChecks.h"
 
+#include "itkNearestNeighborInterpolateImageFunction.h"
+
 #include <random>
 
 using namespace itk::DelaunayRefinementTest;
@@ -203,4 +205,6 @@ TEST(DelaunayRefinementMeshFilterTopology, IsForOneManifoldObject)
   ExpectError(filter.GetPointer(), { "PreserveTopology", "MergeLabels" });
   filter->MergeLabelsOn();
   EXPECT_EQ(GetError(filter.GetPointer()), "");
+  filter->SetInterpolator(itk::NearestNeighborInterpolateImageFunction<LabelImageType, double>::New());
+  ExpectError(filter.GetPointer(), { "PreserveTopology", "Interpolator" });
 }

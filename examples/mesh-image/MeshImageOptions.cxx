@@ -153,7 +153,10 @@ AddRemainingOptions(CLI::App & app, Options & options)
            ParseCount,
            "leave smaller components out; default 1: none")
     ->group(keep);
-  app.add_flag("--strict", options.strict, "fail if a label, a component or a cavity is missing in the mesh")
+  app
+    .add_flag("--strict",
+              options.strict,
+              "fail if a label, a component or a cavity is missing in the mesh, or a bound or topology is not kept")
     ->group(keep);
 
   AddValue(app,
