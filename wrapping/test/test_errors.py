@@ -49,7 +49,7 @@ def test_wrong_label():
 
 
 def test_origin_too_far_for_float():
-    with pytest.raises(RuntimeError, match="a larger Delta, or an origin nearer to 0"):
+    with pytest.raises(RuntimeError, match="a larger Delta .*or an origin nearer to 0"):
         itk.delaunay_refinement_mesh_filter(ball(origin=(1e8, 0.0, 0.0)), delta=2.0)
 
 

@@ -126,7 +126,7 @@ def test_size_field_has_a_grid_of_its_own():
     field = make_image(lengths, spacing=(4.5, 4.5, 4.5))
     mesh = arrays(itk.delaunay_refinement_mesh_filter(image, delta=6.0, size_field=field))
     assert_guarantees(mesh)
-    centers = mesh.points[mesh.tetrahedra].mean(axis=1)
+    centers = mesh.points[mesh.cells].mean(axis=1)
     assert (centers[:, 0] < 12).sum() > 3 * (centers[:, 0] > 19).sum()
     lengths[1, 2, 3] = np.nan
     with pytest.raises(RuntimeError, match="SizeField"):
@@ -139,7 +139,7 @@ def test_topology_is_that_of_the_image():
     image = make_image(np.pad(values, 2))
     triangles = [
         boundary_triangles(
-            arrays(itk.delaunay_refinement_mesh_filter(image, delta=8.0, preserve_topology=wanted)).tetrahedra
+            arrays(itk.delaunay_refinement_mesh_filter(image, delta=8.0, preserve_topology=wanted)).cells
         )
         for wanted in (False, True)
     ]

@@ -15,7 +15,7 @@ import time
 import itk
 
 image = itk.imread({image!r})
-filter = itk.DelaunayRefinementMeshFilter.New(image, lower_threshold=1, delta=2.0, cell_size=1.8)
+filter = itk.DelaunayRefinementMeshFilter.New(image, lower_threshold=1, delta=2.0, cell_size=1.3)
 print("ready", flush=True)
 try:
     {statement}
@@ -52,7 +52,7 @@ def interrupt(statement, after):
     "statement",
     [
         "filter.Update()",
-        "itk.delaunay_refinement_mesh_filter(image, lower_threshold=1, delta=2.0, cell_size=1.8)",
+        "itk.delaunay_refinement_mesh_filter(image, lower_threshold=1, delta=2.0, cell_size=1.3)",
         "itk.tetrahedral_mesh_writer(filter.GetOutput(), file_name='/tmp/never.vtu')",
     ],
 )
@@ -67,7 +67,7 @@ def test_traceback_is_of_the_interrupt():
     # The function's first use loads libraries, and ITK's loader is deaf.
     program = f"import itk; image = itk.imread({str(BRAIN)!r}); f = itk.delaunay_refinement_mesh_filter; " + (
         "f(image, lower_threshold=1, delta=9.0); print('ready', flush=True); "
-        "f(image, lower_threshold=1, delta=2.0, cell_size=1.8)"
+        "f(image, lower_threshold=1, delta=2.0, cell_size=1.3)"
     )
     process = start(program)
     process.stdout.readline()
@@ -90,7 +90,7 @@ def test_what_a_handler_raises_arrives(brain):
     signal.setitimer(signal.ITIMER_REAL, 0.5)
     try:
         with pytest.raises(Alarm, match="half a second"):
-            itk.delaunay_refinement_mesh_filter(brain, lower_threshold=1, delta=2.0, cell_size=1.8)
+            itk.delaunay_refinement_mesh_filter(brain, lower_threshold=1, delta=2.0, cell_size=1.3)
     finally:
         signal.setitimer(signal.ITIMER_REAL, 0.0)
         signal.signal(signal.SIGALRM, previous)
