@@ -53,17 +53,11 @@ DelaunayRefinementAccuracy::DelaunayRefinementAccuracy(const DelaunayRefinementO
                                                        DelaunayRefinementThreads &          threads)
   : m_Oracle(oracle)
   , m_Parameters(parameters)
-  , m_Bounds(parameters)
   , m_Complex(complex)
   , m_LocalDelta(localDelta)
   , m_Threads(threads)
+  , m_Bound(parameters.hausdorffBound)
 {}
-
-bool
-DelaunayRefinementAccuracy::HasBoundOnDistance() const
-{
-  return std::isfinite(m_Bounds.hausdorffBound) || std::isfinite(m_Bounds.leastDelta);
-}
 
 bool
 DelaunayRefinementAccuracy::Improve(DelaunayRefinementStatistics & statistics)
@@ -76,12 +70,14 @@ DelaunayRefinementAccuracy::Improve(DelaunayRefinementStatistics & statistics)
   {
     return true;
   }
-  if (std::isfinite(m_Parameters.hausdorffBound) || std::isfinite(m_Parameters.leastDelta))
+  double asked = m_Parameters.hausdorffBound;
+  if (std::isfinite(m_Parameters.leastDelta))
   {
-    const double deviation =
-      std::max(m_Parameters.deviationShare * m_LocalDelta.GetMinimum(), m_Parameters.leastDeviation);
-    const double asked = std::isfinite(m_Parameters.leastDelta) ? std::min(deviation, m_Parameters.hausdorffBound)
-                                                                : m_Parameters.hausdorffBound;
+    asked =
+      std::min(asked, std::max(m_Parameters.deviationShare * m_LocalDelta.GetMinimum(), m_Parameters.leastDeviation));
+  }
+  if (std::isfinite(asked))
+  {
     statistics.meshToSurface = m_Fidelity->MeasureFromFacets(ToleranceShare * asked);
     statistics.surfaceToMesh = m_Fidelity->MeasureFromSurface(ToleranceShare * asked);
   }
@@ -91,13 +87,14 @@ DelaunayRefinementAccuracy::Improve(DelaunayRefinementStatistics & statistics)
 bool
 DelaunayRefinementAccuracy::ImproveDistance()
 {
-  if (!this->HasBoundOnDistance())
+  if (std::isinf(m_Bound) && std::isinf(m_Parameters.leastDelta))
   {
     return false;
   }
   if (m_Fidelity == nullptr)
   {
-    m_Fidelity = std::make_unique<DelaunayRefinementFidelity>(m_Oracle, m_Bounds, m_Complex, m_LocalDelta, m_Threads);
+    m_Fidelity =
+      std::make_unique<DelaunayRefinementFidelity>(m_Oracle, m_Parameters, m_Bound, m_Complex, m_LocalDelta, m_Threads);
   }
   return this->Lower(m_Fidelity->FindFarPlaces());
 }
@@ -119,12 +116,12 @@ DelaunayRefinementAccuracy::ImproveTopology(DelaunayRefinementStatistics & stati
     return true;
   }
   // What is left is seen by its distance.
-  const double bound = std::min(TopologyStep * m_Bounds.hausdorffBound, FirstTopologyBound * m_Parameters.topologySize);
+  const double bound = std::min(TopologyStep * m_Bound, FirstTopologyBound * m_Parameters.topologySize);
   if (bound < m_Parameters.topologySize)
   {
     return false;
   }
-  m_Bounds.hausdorffBound = bound;
+  m_Bound = bound;
   m_Fidelity.reset();
   return this->ImproveDistance() || this->ImproveTopology(statistics);
 }
@@ -137,6 +134,9 @@ DelaunayRefinementAccuracy::FindPlacesOfOtherTopology(const DelaunayRefinementSt
   const auto             addBox = [&](const DelaunayRefinementOracle::BoundsType & box) {
     const PointType center = Geometry::AddScaled(box.minimum, 0.5, Geometry::Subtract(box.maximum, box.minimum));
     places.push_back({ center, Geometry::Distance(box.maximum, center), least });
+  };
+  const auto addPoint = [&](const PointType & point) {
+    places.push_back({ point, HiddenShare * m_LocalDelta.GetAt(point), least });
   };
   for (const std::uint32_t component : statistics.missingComponents)
   {
@@ -152,7 +152,7 @@ DelaunayRefinementAccuracy::FindPlacesOfOtherTopology(const DelaunayRefinementSt
   }
   for (const PointType & point : FindHiddenDelaunayRefinementSurface(m_Oracle, m_Complex, m_Threads))
   {
-    places.push_back({ point, HiddenShare * m_LocalDelta.GetAt(point), least });
+    addPoint(point);
   }
   for (const auto cell : FindSuperfluousDelaunayRefinementParts(m_Oracle, m_Complex))
   {
@@ -160,8 +160,7 @@ DelaunayRefinementAccuracy::FindPlacesOfOtherTopology(const DelaunayRefinementSt
     {
       if (m_Complex.IsFeature(vertex))
       {
-        const PointType & point = m_Complex.GetPoint(vertex);
-        places.push_back({ point, HiddenShare * m_LocalDelta.GetAt(point), least });
+        addPoint(m_Complex.GetPoint(vertex));
       }
     }
   }

@@ -48,9 +48,6 @@ public:
 private:
   using PlaceType = DelaunayRefinementFidelity::PlaceType;
 
-  bool
-  HasBoundOnDistance() const;
-
   /** False if boundary and surface are nowhere too far from each other. */
   bool
   ImproveDistance();
@@ -68,10 +65,10 @@ private:
 
   const DelaunayRefinementOracle &            m_Oracle;
   const DelaunayRefinementParameters &        m_Parameters;
-  DelaunayRefinementParameters                m_Bounds; // the same, but for a bound that topology asks for
   const DelaunayRefinementComplex &           m_Complex;
   DelaunayRefinementLocalDelta &              m_LocalDelta;
   DelaunayRefinementThreads &                 m_Threads;
+  double                                      m_Bound; // on the distance: the user's, or one that topology asks for
   std::unique_ptr<DelaunayRefinementFidelity> m_Fidelity{};
   unsigned int                                m_NumberOfRounds{ 0 };
 };

@@ -101,6 +101,16 @@ public:
     return static_cast<unsigned int>((cell[0] & 3) | (cell[1] & 3) << 2 | (cell[2] & 3) << 4);
   }
 
+  /** The cell of a brick that has a bit. */
+  static IndexType
+  GetCell(const IndexType & brick, unsigned int bit)
+  {
+    const auto place = static_cast<std::int32_t>(bit);
+    return { BrickSize * brick[0] + (place & 3),
+             BrickSize * brick[1] + (place >> 2 & 3),
+             BrickSize * brick[2] + (place >> 4) };
+  }
+
   /** The bits of cells first to last (included) of a brick, by their indexes within it. */
   static std::uint64_t
   GetBits(const IndexType & first, const IndexType & last);

@@ -116,6 +116,7 @@ Split(const TriangleType & triangle)
 
 DelaunayRefinementFidelity::DelaunayRefinementFidelity(const DelaunayRefinementOracle &     oracle,
                                                        const DelaunayRefinementParameters & parameters,
+                                                       double                               bound,
                                                        const DelaunayRefinementComplex &    complex,
                                                        const DelaunayRefinementLocalDelta & localDelta,
                                                        DelaunayRefinementThreads &          threads)
@@ -124,6 +125,7 @@ DelaunayRefinementFidelity::DelaunayRefinementFidelity(const DelaunayRefinementO
   , m_Complex(complex)
   , m_LocalDelta(localDelta)
   , m_Threads(threads)
+  , m_Bound(bound)
 {
   const auto patches = oracle.GetSurfacePatches();
   m_Pieces.reserve(patches.GetSize());
@@ -136,14 +138,13 @@ DelaunayRefinementFidelity::DelaunayRefinementFidelity(const DelaunayRefinementO
 DelaunayRefinementFidelity::BoundType
 DelaunayRefinementFidelity::GetBound(double delta) const
 {
-  const double    overall = m_Parameters.hausdorffBound;
-  const BoundType bound{ overall, LeastDeltaShare * overall };
+  const BoundType bound{ m_Bound, LeastDeltaShare * m_Bound };
   if (!(delta > LeastDeltaMargin * m_Parameters.leastDelta))
   {
     return bound;
   }
   const double deviation = std::max(m_Parameters.deviationShare * delta, m_Parameters.leastDeviation);
-  return deviation < overall ? BoundType{ deviation, m_Parameters.leastDelta } : bound;
+  return deviation < m_Bound ? BoundType{ deviation, m_Parameters.leastDelta } : bound;
 }
 
 std::vector<DelaunayRefinementFidelity::PlaceType>

@@ -40,9 +40,10 @@ public:
   using IndexType = DelaunayRefinementComplex::IndexType;
   using DistanceType = DelaunayRefinementDistance;
 
-  /** Bounds of the \c parameters: that on the distance, and that over delta. */
+  /** A bound on the distance, and what the \c parameters say of that over delta. */
   DelaunayRefinementFidelity(const DelaunayRefinementOracle &     oracle,
                              const DelaunayRefinementParameters & parameters,
+                             double                               bound,
                              const DelaunayRefinementComplex &    complex,
                              const DelaunayRefinementLocalDelta & localDelta,
                              DelaunayRefinementThreads &          threads);
@@ -147,6 +148,7 @@ private:
   const DelaunayRefinementComplex &      m_Complex;
   const DelaunayRefinementLocalDelta &   m_LocalDelta;
   DelaunayRefinementThreads &            m_Threads;
+  double                                 m_Bound;
   std::vector<FacetType>                 m_Facets{};
   DelaunayRefinementTriangleGrid         m_Grid{}; // of the facets, with their numbers
   std::vector<CertifiedType>             m_Pieces{};

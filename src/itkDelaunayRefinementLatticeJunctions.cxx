@@ -149,8 +149,7 @@ DelaunayRefinementLatticeOracle::GetJunctionPatches() const
       }
       for (std::uint64_t cells = m_Bricks->GetCells(bricks[i]); cells != 0; cells &= cells - 1)
       {
-        const auto      bit = static_cast<std::int32_t>(FindDelaunayRefinementBit(cells));
-        const IndexType cell{ first[0] + (bit & 3), first[1] + (bit >> 2 & 3), first[2] + (bit >> 4) };
+        const IndexType cell = DelaunayRefinementBricks::GetCell(bricks[i], FindDelaunayRefinementBit(cells));
         if (HaveRegions(this->GetCellRegions(cell), LeastRegions))
         {
           found[piece].push_back(cell);

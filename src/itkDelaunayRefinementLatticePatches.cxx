@@ -387,9 +387,8 @@ DelaunayRefinementLatticeOracle::FindPointOfPatch(const SurfacePatchIdentifier &
   }
   while (cells != 0)
   {
-    const auto chosen = static_cast<std::int32_t>(FindDelaunayRefinementBit(after != 0 ? after : cells));
-    if (findIn(
-          { { 4 * brick[0] + (chosen & 3), 4 * brick[1] + (chosen >> 2 & 3), 4 * brick[2] + (chosen >> 4) }, {}, 1.0 }))
+    const unsigned int chosen = FindDelaunayRefinementBit(after != 0 ? after : cells);
+    if (findIn({ DelaunayRefinementBricks::GetCell(brick, chosen), {}, 1.0 }))
     {
       return true;
     }

@@ -103,12 +103,19 @@ IsAmbiguous(unsigned int corners)
            std::begin(Faces), std::end(Faces), [corners](unsigned int face) { return IsDiagonal(corners, face); });
 }
 
-/** The first of some cells of a brick. */
-std::array<std::int32_t, 3>
-GetCellOfBrick(const std::array<std::int32_t, 3> & brick, std::uint64_t cells)
+/** Calls \c action with the cells of a brick that hold surface, and which of their corners are inside. */
+template <typename TAction>
+void
+ForEachCell(const DelaunayRefinementBricks &            bricks,
+            const DelaunayRefinementVoxelMask &         mask,
+            const DelaunayRefinementBricks::IndexType & brick,
+            const TAction &                             action)
 {
-  const auto bit = static_cast<std::int32_t>(FindDelaunayRefinementBit(cells));
-  return { 4 * brick[0] + (bit & 3), 4 * brick[1] + (bit >> 2 & 3), 4 * brick[2] + (bit >> 4) };
+  for (std::uint64_t cells = bricks.GetCells(brick); cells != 0; cells &= cells - 1)
+  {
+    const auto cell = DelaunayRefinementBricks::GetCell(brick, FindDelaunayRefinementBit(cells));
+    action(cell, mask.GetConfiguration(cell[0], cell[1], cell[2]));
+  }
 }
 
 /** The points of a grid that are joined: inside along edges and diagonals of faces, outside along edges alone, as
@@ -168,7 +175,6 @@ CountEuler(const TContent &                content,
            unsigned int                    depth)
 {
   const unsigned int corners = ClassifyCorners(content, corner, size);
-  const unsigned int flat = (size[0] == 0.0 ? 1u : 0u) | (size[1] == 0.0 ? 2u : 0u) | (size[2] == 0.0 ? 4u : 0u);
   if (depth == 0 || !IsAmbiguous(corners))
   {
     return corners == 0 ? 0 : AreOpposite(corners) ? 2 : 1;
@@ -184,8 +190,7 @@ CountEuler(const TContent &                content,
     bool                    isThere = true;
     for (unsigned int axis = 0; axis < 3; ++axis)
     {
-      const bool isFlat = (flat >> axis & 1u) != 0;
-      isThere = isThere && !(isFlat && which[axis] != 0);
+      isThere = isThere && (size[axis] != 0.0 || which[axis] == 0);
       at[axis] += which[axis] == 0 ? 0.0 : 0.5 * size[axis];
       part[axis] = which[axis] == 2 ? 0.0 : 0.5 * size[axis];
       sign = which[axis] == 2 ? -sign : sign;
@@ -323,11 +328,12 @@ public:
       m_Oracle.m_Threads, bricks.size(), BricksPerPiece, [&](std::size_t piece, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
         {
-          this->ForEachCell(bricks[i], [&](const IndexType & cell, unsigned int corners) {
-            const auto countWithin = [](const auto & content) { return CountEightfoldWithin(content); };
-            sums[piece] +=
-              this->IsOpen(corners) ? m_Oracle.VisitCell(cell, countWithin) : GetEightfoldCounts()[corners];
-          });
+          ForEachCell(
+            *m_Oracle.m_Bricks, *m_Oracle.m_Mask, bricks[i], [&](const IndexType & cell, unsigned int corners) {
+              const auto countWithin = [](const auto & content) { return CountEightfoldWithin(content); };
+              sums[piece] +=
+                this->IsOpen(corners) ? m_Oracle.VisitCell(cell, countWithin) : GetEightfoldCounts()[corners];
+            });
         }
       });
     return std::accumulate(sums.begin(), sums.end(), std::int64_t{ 0 }) / 8;
@@ -342,7 +348,7 @@ public:
     DelaunayRefinementDisjointSets cavities(m_Cavities.Get().size() + 1);
     for (const IndexType & brick : m_Oracle.m_Bricks->GetActiveBricks())
     {
-      this->ForEachCell(brick, [&](const IndexType & cell, unsigned int corners) {
+      ForEachCell(*m_Oracle.m_Bricks, *m_Oracle.m_Mask, brick, [&](const IndexType & cell, unsigned int corners) {
         if (this->IsOpen(corners))
         {
           this->JoinCorners(cell, corners, runs, cavities);
@@ -354,18 +360,6 @@ public:
   }
 
 private:
-  /** Calls \c action with the cells of a brick, and which of their corners are inside. */
-  template <typename TAction>
-  void
-  ForEachCell(const IndexType & brick, const TAction & action) const
-  {
-    for (std::uint64_t cells = m_Oracle.m_Bricks->GetCells(brick); cells != 0; cells &= cells - 1)
-    {
-      const IndexType cell = GetCellOfBrick(brick, cells);
-      action(cell, m_Oracle.m_Mask->GetConfiguration(cell[0], cell[1], cell[2]));
-    }
-  }
-
   /** Whether points within the cell have to be asked. */
   bool
   IsOpen(unsigned int corners) const
@@ -477,22 +471,20 @@ DelaunayRefinementLatticeOracle::JoinDiagonalVoxels()
   m_Raised = std::make_unique<DelaunayRefinementVoxelMask>(m_Mask->GetSize());
   for (const IndexType & brick : m_Bricks->GetActiveBricks())
   {
-    for (std::uint64_t cells = m_Bricks->GetCells(brick); cells != 0; cells &= cells - 1)
-    {
-      const IndexType    cell = GetCellOfBrick(brick, cells);
-      const unsigned int corners = m_Mask->GetConfiguration(cell[0], cell[1], cell[2]);
+    ForEachCell(*m_Bricks, *m_Mask, brick, [this](const IndexType & cell, unsigned int corners) {
+      unsigned int between = 0;
       for (const unsigned int face : Faces)
       {
-        const unsigned int between = IsDiagonal(corners, face) ? ~corners & face : 0;
-        for (std::int32_t i = 0; i < 8; ++i)
+        between |= IsDiagonal(corners, face) ? ~corners & face : 0;
+      }
+      for (std::int32_t i = 0; i < 8; ++i)
+      {
+        if (between >> i & 1u)
         {
-          if (between >> i & 1u)
-          {
-            m_Raised->Set(cell[0] - 1 + (i & 1), cell[1] - 1 + (i >> 1 & 1), cell[2] - 1 + (i >> 2), true);
-          }
+          m_Raised->Set(cell[0] - 1 + (i & 1), cell[1] - 1 + (i >> 1 & 1), cell[2] - 1 + (i >> 2), true);
         }
       }
-    }
+    });
   }
 }
 

@@ -96,11 +96,18 @@ public:
     m_Field.Settle();
   }
 
-  /** False only if delta has not changed in a patch since Settle(). */
+  /** Whether only the field may have changed since Settle(). */
   bool
-  MayHaveChanged(const PatchType & patch) const
+  IsSettled() const
   {
-    return !m_IsSettled || (m_Field.IsStarted() && m_Field.HasChanged(patch.center, patch.radius));
+    return m_IsSettled;
+  }
+
+  /** Whether the field has changed in a patch since Settle(). */
+  bool
+  HasChanged(const PatchType & patch) const
+  {
+    return m_Field.IsStarted() && m_Field.HasChanged(patch.center, patch.radius);
   }
 
   /** The components with a lower delta, and their deltas, by component. */

@@ -63,12 +63,12 @@ FindParts(const DelaunayRefinementComplex & complex, bool isInside)
 }
 
 /** Appends the finite cells of parts with an owner that a larger part has already. */
-template <typename TFindOwner, typename TIsFinite>
+template <typename TFindOwner>
 void
-AppendSuperfluous(std::vector<PartType> parts,
-                  const TFindOwner &    findOwner,
-                  const TIsFinite &     isFinite,
-                  PartType &            superfluous)
+AppendSuperfluous(const DelaunayRefinementComplex & complex,
+                  std::vector<PartType>             parts,
+                  const TFindOwner &                findOwner,
+                  PartType &                        superfluous)
 {
   std::stable_sort(
     parts.begin(), parts.end(), [](const PartType & a, const PartType & b) { return a.size() > b.size(); });
@@ -77,7 +77,9 @@ AppendSuperfluous(std::vector<PartType> parts,
   {
     if (!owners.insert(findOwner(part)).second)
     {
-      std::copy_if(part.begin(), part.end(), std::back_inserter(superfluous), isFinite);
+      std::copy_if(part.begin(), part.end(), std::back_inserter(superfluous), [&](IndexType cell) {
+        return !complex.GetTriangulation().IsInfinite(cell);
+      });
     }
   }
 }
@@ -167,14 +169,14 @@ FindSuperfluousDelaunayRefinementParts(const DelaunayRefinementOracle &  oracle,
   const auto   findComponent = [&](const PartType & part) {
     return oracle.FindComponent(complex.GetCircumcenter(part.front()));
   };
-  const auto isFinite = [&](IndexType cell) { return !triangulation.IsInfinite(cell); };
   const auto findCavity = [&](const PartType & part) {
-    return !std::all_of(part.begin(), part.end(), isFinite) ? oracle.GetNumberOfCavities()
-                                                            : oracle.FindCavity(complex.GetCircumcenter(part.front()));
+    const auto isInfinite = [&](IndexType cell) { return triangulation.IsInfinite(cell); };
+    return std::any_of(part.begin(), part.end(), isInfinite) ? oracle.GetNumberOfCavities()
+                                                             : oracle.FindCavity(complex.GetCircumcenter(part.front()));
   };
   PartType superfluous;
-  AppendSuperfluous(FindParts(complex, true), findComponent, isFinite, superfluous);
-  AppendSuperfluous(FindParts(complex, false), findCavity, isFinite, superfluous);
+  AppendSuperfluous(complex, FindParts(complex, true), findComponent, superfluous);
+  AppendSuperfluous(complex, FindParts(complex, false), findCavity, superfluous);
   return superfluous;
 }
 } // end namespace itk

@@ -67,14 +67,18 @@ DelaunayRefinementSurfaceSample::Certify(std::vector<PointType> &      points,
   using PatchesType = DelaunayRefinementSurfacePatches;
   using SamplerType = DelaunayRefinementBlockSampler;
 
-  const PatchesType all = m_Oracle.GetSurfacePatches();
-  PatchesType       roots(all.GetOrigin());
-  for (std::size_t i = 0; i < all.GetSize(); ++i)
+  PatchesType roots = m_Oracle.GetSurfacePatches();
+  if (m_LocalDelta.IsSettled())
   {
-    if (m_LocalDelta.MayHaveChanged(all.Get(i)))
+    PatchesType changed(roots.GetOrigin());
+    for (std::size_t i = 0; i < roots.GetSize(); ++i)
     {
-      roots.Add(all, i);
+      if (m_LocalDelta.HasChanged(roots.Get(i)))
+      {
+        changed.Add(roots, i);
+      }
     }
+    std::swap(roots, changed);
   }
   DelaunayRefinementPatchCover cover(roots, m_LocalDelta.GetMaximum());
   std::atomic<bool>            isStopped{ false };
