@@ -48,7 +48,7 @@ public:
   /** \class RefinementRule
    * \brief Why a vertex was inserted (paper, section III; R4_PRIME: section VI-B). CELL_SIZE is the user's bound on
    * circumradii, SHAPE replaces a vertex of a tetrahedron too flat to be stored, JUNCTION puts vertices on lines where
-   * three regions meet, MANIFOLD where the boundary was no 2-manifold. */
+   * three regions meet, MANIFOLD where the boundary was no 2-manifold, SLIVER where a dihedral angle was small. */
   enum class RefinementRule : uint8_t
   {
     R1,
@@ -59,11 +59,12 @@ public:
     CELL_SIZE,
     SHAPE,
     JUNCTION,
-    MANIFOLD
+    MANIFOLD,
+    SLIVER
   };
 
   /** Length of lists by RefinementRule. */
-  static constexpr unsigned int NumberOfRefinementRules = 9;
+  static constexpr unsigned int NumberOfRefinementRules = 10;
 
   /** \class EncroachmentCase
    * \brief How a circumcenter on or outside the box was replaced (paper, section III, E1 to E3). */

@@ -60,8 +60,13 @@ struct DelaunayRefinementParameters
   /** Upper bound on the circumradius of tetrahedra inside. Infinite: no bound. */
   double cellSize{ std::numeric_limits<double>::infinity() };
 
-  /** Rule R4' is applied to tetrahedra with a smaller dihedral angle, in degrees. 0: R4' is off. */
+  /** Vertices are inserted and moved until no tetrahedron has a smaller dihedral angle, in degrees; tetrahedra on the
+   * boundary may also be left to outside. Below 60. 0: nothing is done about angles. */
   double minimumDihedralAngle{ 0.0 };
+
+  /** Whether rule R4' of the paper (section VI-B) is applied to tetrahedra with smaller dihedral angles instead: it
+   * splits them while new edges are at least a quarter of delta long, and keeps no angle for sure. */
+  bool paperSlivers{ false };
 
   /** Whether R2, with E1 to E3, is also applied to tetrahedra whose circumcenter is outside, as in the paper. No
    * guarantee needs it (docs/guarantees.md, section 4), and it takes about as long as all the rest. */
@@ -164,6 +169,20 @@ struct DelaunayRefinementTopology
 extern DelaunayRefinement_EXPORT std::ostream &
                                  operator<<(std::ostream & out, const DelaunayRefinementTopology & topology);
 
+/** \class DelaunayRefinementSliver
+ * \brief A tetrahedron with a small dihedral angle.
+ *
+ * \ingroup DelaunayRefinement
+ */
+struct DelaunayRefinementSliver
+{
+  /** The smallest of its six, in degrees. */
+  double dihedralAngle{ 0.0 };
+
+  /** Its centroid. */
+  DelaunayRefinementPoint place{};
+};
+
 /** \class DelaunayRefinementStatistics
  * \brief What the last run did, counted and timed.
  *
@@ -201,7 +220,17 @@ struct DelaunayRefinementStatistics
   /** Cavities of the object, by the oracle's number, in which no tetrahedron outside has its circumcenter. */
   std::vector<std::uint32_t> missingCavities{};
 
-  /** Tetrahedra given to another region than that of their circumcenter, for the boundary's sake. */
+  /** Vertices moved because of small dihedral angles, each time counted. */
+  std::size_t movedVertices{ 0 };
+
+  /** Seconds of wall time of insertions and moves because of small dihedral angles; part of the refinement's. */
+  double sliverSeconds{ 0.0 };
+
+  /** The tetrahedra left with a smaller dihedral angle than was asked for, by angle. */
+  std::vector<DelaunayRefinementSliver> slivers{};
+
+  /** Tetrahedra given to another region than that of their circumcenter, for the boundary's sake, or left to outside as
+   * slivers. */
   std::size_t changedTetrahedra{ 0 };
 
   /** Vertices at which the boundary of a region is not a 2-manifold, as far as that was asked for. */

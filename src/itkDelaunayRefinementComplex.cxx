@@ -112,6 +112,19 @@ DelaunayRefinementComplex::Insert(const PointType & point, VertexKind kind, doub
   return vertex;
 }
 
+bool
+DelaunayRefinementComplex::Reinsert(IndexType vertex, const PointType & point, double delta, IndexType hint)
+{
+  if (!m_Triangulation.Reinsert(vertex, point, hint))
+  {
+    return false;
+  }
+  m_Deltas[vertex] = delta;
+  ++m_NumbersOfVertices[static_cast<std::size_t>(m_Kinds[vertex])];
+  this->UpdateRegions(m_Triangulation.GetNewCells());
+  return true;
+}
+
 void
 DelaunayRefinementComplex::Remove(IndexType vertex)
 {

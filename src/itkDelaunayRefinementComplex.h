@@ -76,6 +76,10 @@ public:
   IndexType
   Insert(const PointType & point, VertexKind kind, double delta, IndexType hint);
 
+  /** Inserts a removed vertex again, at any point, as what it was; false if the point is a vertex already. */
+  bool
+  Reinsert(IndexType vertex, const PointType & point, double delta, IndexType hint);
+
   using StarType = DelaunayRefinementTriangulation::StarType;
 
   /** The steps of an insertion, as in the triangulation. */

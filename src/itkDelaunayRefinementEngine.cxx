@@ -31,6 +31,7 @@
 #include "itkDelaunayRefinementMissingComponents.h"
 #include "itkDelaunayRefinementQueue.h"
 #include "itkDelaunayRefinementRules.h"
+#include "itkDelaunayRefinementSliverRemoval.h"
 #include "itkDelaunayRefinementSurfaceSample.h"
 #include "itkDelaunayRefinementThreads.h"
 
@@ -69,6 +70,11 @@ constexpr unsigned int MaximumNumberOfShapeRounds = 20;
 
 /** So often vertices are put where the boundary is no manifold. */
 constexpr unsigned int MaximumNumberOfManifoldRounds = 20;
+
+/** So often slivers are removed anew. */
+constexpr unsigned int MaximumNumberOfSliverRounds = 20;
+
+constexpr double DegreesPerRadian = 57.29577951308232;
 } // namespace
 
 /** \class DelaunayRefinementEngine::Impl
@@ -194,6 +200,14 @@ private:
   void
   InsertNear(IndexType vertex);
 
+  /** Makes dihedral angles large enough; false if they are, or as large as can be. */
+  bool
+  RemoveSlivers();
+
+  /** Tells the statistics what slivers are left. */
+  void
+  DescribeSlivers();
+
   /** Lowers delta where the boundary is not what was asked for; false if it is. */
   bool
   ImproveAccuracy();
@@ -220,6 +234,7 @@ private:
   std::unique_ptr<DelaunayRefinementEncroachment>   m_Encroachment{};
   std::unique_ptr<DelaunayRefinementCircumcenters>  m_Circumcenters{};
   std::unique_ptr<DelaunayRefinementManifoldRepair> m_Repair{};
+  std::unique_ptr<DelaunayRefinementSliverRemoval>  m_SliverRemoval{};
   std::unique_ptr<DelaunayRefinementAccuracy>       m_Accuracy{};
   DelaunayRefinementBlockQueue                      m_R2Queue{};
   DelaunayRefinementQueue                           m_EncroachmentQueue{};
@@ -235,6 +250,8 @@ private:
   unsigned int                                      m_NumberOfLowerings{ 0 };
   unsigned int                                      m_NumberOfShapeRounds{ 0 };
   unsigned int                                      m_NumberOfManifoldRounds{ 0 };
+  unsigned int                                      m_NumberOfSliverRounds{ 0 };
+  IndexType                                         m_SizeAfterSlivers{ 0 };
   std::size_t                                       m_NumberOfSteps{ 0 };
   std::size_t                                       m_NextQuestion{ ProgressInterval };
   double                                            m_Progress{ 0.0 };
@@ -299,6 +316,7 @@ DelaunayRefinementEngine::Impl::RunAllPhases()
 
   start = Clock::now();
   m_Statistics.missingCavities = FindMissingDelaunayRefinementCavities(m_Oracle, *m_Complex, m_Threads);
+  this->DescribeSlivers();
   if (this->KeepGoing())
   {
     m_Result = ExtractDelaunayRefinementResult(*m_Complex, &m_Threads);
@@ -336,7 +354,10 @@ DelaunayRefinementEngine::Impl::StartComplex(const std::vector<PointType> & seed
   m_Rules = std::make_unique<DelaunayRefinementRules>(m_Oracle, m_Parameters, *m_Complex, m_LocalDelta, *m_Sample);
   m_Encroachment = std::make_unique<DelaunayRefinementEncroachment>(*m_Complex);
   m_Circumcenters = std::make_unique<DelaunayRefinementCircumcenters>(*m_Complex, *m_Rules, m_Threads);
-  m_Repair = std::make_unique<DelaunayRefinementManifoldRepair>(m_Oracle, *m_Rules, *m_Complex, m_Threads);
+  m_Repair = std::make_unique<DelaunayRefinementManifoldRepair>(
+    m_Oracle, *m_Rules, *m_Complex, m_Threads, m_Parameters.minimumDihedralAngle);
+  m_SliverRemoval = std::make_unique<DelaunayRefinementSliverRemoval>(
+    m_Parameters, m_Oracle, m_LocalDelta, *m_Rules, *m_Repair, *m_Sample, *m_Complex, m_Threads);
   m_Accuracy =
     std::make_unique<DelaunayRefinementAccuracy>(m_Oracle, m_Parameters, *m_Complex, m_LocalDelta, m_Threads);
   if (!m_Complex->Start(seeds, deltas, m_Threads, [this] { return this->KeepGoing(); }))
@@ -366,7 +387,7 @@ DelaunayRefinementEngine::Impl::Refine()
     }
     if (!(this->ApplyR1() || this->ApplyR3() || this->ApplyEncroachment() || this->ApplyR2() || this->ApplyR4() ||
           this->MendFlatTetrahedra() || this->LowerDeltaOfMissingComponents() || this->MakeManifold() ||
-          this->ImproveAccuracy()))
+          this->RemoveSlivers() || this->ImproveAccuracy()))
     {
       return;
     }
@@ -485,6 +506,10 @@ DelaunayRefinementEngine::Impl::ApplyR1()
   // All at once: the points keep their distance from each other and from the vertices there are now.
   std::vector<PointType> points;
   this->Certify(points, m_Complex->GetNumberOfVertices());
+  if (!points.empty())
+  {
+    m_Repair->Undo();
+  }
   for (std::size_t i = 0; i < points.size() && m_Reason == TerminationReason::COMPLETED; ++i)
   {
     // Points come in an order in which each is near the one before it, or most are.
@@ -785,6 +810,51 @@ DelaunayRefinementEngine::Impl::InsertNear(IndexType vertex)
   {
     this->InsertFeature(RefinementRule::MANIFOLD, chosen, star.GetCells().front().index);
   }
+}
+
+bool
+DelaunayRefinementEngine::Impl::RemoveSlivers()
+{
+  // New tetrahedra come with new vertices alone.
+  const auto & triangulation = m_Complex->GetTriangulation();
+  if (!(m_Parameters.minimumDihedralAngle > 0.0) || m_Parameters.paperSlivers ||
+      m_NumberOfSliverRounds == MaximumNumberOfSliverRounds ||
+      m_SizeAfterSlivers == triangulation.GetNumberOfVertexIndexes())
+  {
+    return false;
+  }
+  ++m_NumberOfSliverRounds;
+  const auto start = Clock::now();
+  m_IsSampleOpen = m_SliverRemoval->Run([this] { return this->KeepGoing(); });
+  m_SizeAfterSlivers = triangulation.GetNumberOfVertexIndexes();
+  m_Statistics.sliverSeconds += SecondsSince(start);
+  return m_IsSampleOpen;
+}
+
+void
+DelaunayRefinementEngine::Impl::DescribeSlivers()
+{
+  m_Statistics.insertions[static_cast<std::size_t>(RefinementRule::SLIVER)] = m_SliverRemoval->GetNumberOfInsertions();
+  m_Statistics.movedVertices = m_SliverRemoval->GetNumberOfMoves();
+  m_Statistics.changedTetrahedra = m_Repair->GetNumberOfChanges();
+  if (!(m_Parameters.minimumDihedralAngle > 0.0))
+  {
+    return;
+  }
+  for (const IndexType cell : m_SliverRemoval->FindSlivers())
+  {
+    const auto p = m_Complex->GetPoints(cell);
+    PointType  center{};
+    for (const PointType & point : p)
+    {
+      center = Geometry::AddScaled(center, 0.25, point);
+    }
+    const double cosine = Geometry::ComputeLargestDihedralCosine(p[0], p[1], p[2], p[3]);
+    m_Statistics.slivers.push_back({ std::acos(std::min(1.0, cosine)) * DegreesPerRadian, center });
+  }
+  std::stable_sort(m_Statistics.slivers.begin(), m_Statistics.slivers.end(), [](const auto & a, const auto & b) {
+    return a.dihedralAngle < b.dihedralAngle;
+  });
 }
 
 bool

@@ -63,6 +63,8 @@ operator<<(std::ostream & out, const DelaunayRefinementEnums::RefinementRule val
         return "itk::DelaunayRefinementEnums::RefinementRule::JUNCTION";
       case DelaunayRefinementEnums::RefinementRule::MANIFOLD:
         return "itk::DelaunayRefinementEnums::RefinementRule::MANIFOLD";
+      case DelaunayRefinementEnums::RefinementRule::SLIVER:
+        return "itk::DelaunayRefinementEnums::RefinementRule::SLIVER";
       default:
         return "INVALID VALUE FOR itk::DelaunayRefinementEnums::RefinementRule";
     }

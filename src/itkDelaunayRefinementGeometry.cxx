@@ -116,4 +116,17 @@ DelaunayRefinementGeometry::ComputeLargestDihedralCosine(const PointType & a,
   }
   return largest;
 }
+
+double
+DelaunayRefinementGeometry::ComputeLargestCosine(const PointType & a, const PointType & b, const PointType & c)
+{
+  const PointType u = Subtract(b, a);
+  const PointType v = Subtract(c, b);
+  const PointType w = Subtract(a, c);
+  const double    uu = Dot(u, u);
+  const double    vv = Dot(v, v);
+  const double    ww = Dot(w, w);
+  return std::max(
+    { -Dot(w, u) / std::sqrt(ww * uu), -Dot(u, v) / std::sqrt(uu * vv), -Dot(v, w) / std::sqrt(vv * ww) });
+}
 } // end namespace itk

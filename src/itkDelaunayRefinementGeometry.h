@@ -160,6 +160,10 @@ public:
   static double
   ComputeLargestDihedralCosine(const PointType & a, const PointType & b, const PointType & c, const PointType & d);
 
+  /** Cosine of the smallest of the three angles of a triangle. */
+  static double
+  ComputeLargestCosine(const PointType & a, const PointType & b, const PointType & c);
+
 private:
   static SphereType
   ComputeExactCircumsphere(const PointType & a, const PointType & b, const PointType & c, const PointType & d);

@@ -43,11 +43,13 @@ Contains(const std::vector<TElement> & elements, const TElement & element)
 DelaunayRefinementManifoldRepair::DelaunayRefinementManifoldRepair(const DelaunayRefinementOracle & oracle,
                                                                    const DelaunayRefinementRules &  rules,
                                                                    DelaunayRefinementComplex &      complex,
-                                                                   DelaunayRefinementThreads &      threads)
+                                                                   DelaunayRefinementThreads &      threads,
+                                                                   double                           smallestAngle)
   : m_Oracle(oracle)
   , m_Rules(rules)
   , m_Complex(complex)
   , m_Threads(threads)
+  , m_Angles(smallestAngle)
 {}
 
 std::vector<DelaunayRefinementManifoldRepair::IndexType>
@@ -128,12 +130,18 @@ DelaunayRefinementManifoldRepair::Change(const std::vector<IndexType> & cells, R
 {
   for (const IndexType cell : cells)
   {
-    const RegionType own = m_OwnRegions.emplace(cell, m_Complex.GetRegion(cell)).first->second;
-    m_Complex.SetRegion(cell, region);
-    if (own == region)
-    {
-      m_OwnRegions.erase(cell);
-    }
+    this->Give(cell, region);
+  }
+}
+
+void
+DelaunayRefinementManifoldRepair::Give(IndexType cell, RegionType region)
+{
+  const RegionType own = m_OwnRegions.emplace(cell, m_Complex.GetRegion(cell)).first->second;
+  m_Complex.SetRegion(cell, region);
+  if (own == region)
+  {
+    m_OwnRegions.erase(cell);
   }
 }
 
@@ -251,7 +259,9 @@ DelaunayRefinementManifoldRepair::MayChange(const std::vector<IndexType> & cells
     });
     const RegionType own = m_Complex.GetRegion(cell);
     m_Complex.SetRegion(cell, region);
-    const bool fires = m_Rules.FiresR4(cell) || m_Rules.FiresCellSize(cell) || m_Rules.FiresR4Prime(cell);
+    const auto p = m_Complex.GetPoints(cell);
+    const bool isSliver = m_Angles.ComputeBadness(p[0], p[1], p[2], p[3]) > 0.0;
+    const bool fires = isSliver || m_Rules.FiresR4(cell) || m_Rules.FiresCellSize(cell) || m_Rules.FiresR4Prime(cell);
     m_Complex.SetRegion(cell, own);
     return isAwayFromBox && !fires;
   });
@@ -270,16 +280,7 @@ DelaunayRefinementManifoldRepair::MayPartRegions(IndexType cell, unsigned int fa
     }
     p[i] = m_Complex.GetPoint(vertex);
   }
-  for (unsigned int i = 0; i < 3; ++i)
-  {
-    const auto u = Geometry::Subtract(p[(i + 1) % 3], p[i]);
-    const auto v = Geometry::Subtract(p[(i + 2) % 3], p[i]);
-    if (!(Geometry::Dot(u, v) < LargestCosine * std::sqrt(Geometry::Dot(u, u) * Geometry::Dot(v, v))))
-    {
-      return false;
-    }
-  }
-  return true;
+  return Geometry::ComputeLargestCosine(p[0], p[1], p[2]) < LargestCosine;
 }
 
 bool

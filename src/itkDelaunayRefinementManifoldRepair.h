@@ -18,6 +18,7 @@
 #ifndef itkDelaunayRefinementManifoldRepair_h
 #define itkDelaunayRefinementManifoldRepair_h
 
+#include "itkDelaunayRefinementDihedralAngles.h"
 #include "itkDelaunayRefinementRules.h"
 #include "itkDelaunayRefinementVertexStar.h"
 
@@ -41,10 +42,12 @@ public:
   using IndexType = DelaunayRefinementComplex::IndexType;
   using RegionType = DelaunayRefinementComplex::RegionType;
 
+  /** No tetrahedron with a dihedral angle below \c smallestAngle (degrees) is taken inside. */
   DelaunayRefinementManifoldRepair(const DelaunayRefinementOracle & oracle,
                                    const DelaunayRefinementRules &  rules,
                                    DelaunayRefinementComplex &      complex,
-                                   DelaunayRefinementThreads &      threads);
+                                   DelaunayRefinementThreads &      threads,
+                                   double                           smallestAngle);
 
   /** To be called when no rule fires. Returns the vertices where nothing helped, ascending. */
   std::vector<IndexType>
@@ -60,6 +63,32 @@ public:
   {
     return m_OwnRegions.size();
   }
+
+  /** Whether a tetrahedron is one of them. */
+  bool
+  IsChanged(IndexType cell) const
+  {
+    return !m_OwnRegions.empty() && m_OwnRegions.count(cell) > 0;
+  }
+
+  /** The region of a tetrahedron's circumcenter. */
+  RegionType
+  GetOwnRegion(IndexType cell) const
+  {
+    const auto found = m_OwnRegions.find(cell);
+    return found == m_OwnRegions.end() ? m_Complex.GetRegion(cell) : found->second;
+  }
+
+  /** To be called before a tetrahedron that is one of them goes. */
+  void
+  Forget(IndexType cell)
+  {
+    m_OwnRegions.erase(cell);
+  }
+
+  /** Gives a tetrahedron to a region. */
+  void
+  Give(IndexType cell, RegionType region);
 
 private:
   /** Cells of the star at hand, and the region for them. */
@@ -109,6 +138,7 @@ private:
   const DelaunayRefinementRules &         m_Rules;
   DelaunayRefinementComplex &             m_Complex;
   DelaunayRefinementThreads &             m_Threads;
+  DelaunayRefinementDihedralAngles        m_Angles;
   DelaunayRefinementVertexStar            m_Star{};
   DelaunayRefinementVertexStar            m_OtherStar{};
   std::vector<CandidateType>              m_Candidates{};

@@ -82,6 +82,22 @@ DelaunayRefinementRules::Examine(IndexType cell, unsigned int facets, std::vecto
   }
 }
 
+bool
+DelaunayRefinementRules::Fires(IndexType cell) const
+{
+  if (m_Complex.GetTriangulation().IsInfinite(cell))
+  {
+    return false;
+  }
+  bool fires = this->FiresR4(cell) || this->FiresCellSize(cell) || this->FiresR4Prime(cell) || this->FiresR2(cell);
+  for (unsigned int i = 0; i < 4 && !fires; ++i)
+  {
+    PointType center;
+    fires = this->MayFireR3(cell, i) && this->FiresR3(cell, i, center);
+  }
+  return fires;
+}
+
 double
 DelaunayRefinementRules::GetDeltaOfFeatures(const std::array<IndexType, 4> & vertices, unsigned int leftOut) const
 {
@@ -254,7 +270,7 @@ DelaunayRefinementRules::FiresCellSize(IndexType cell) const
 bool
 DelaunayRefinementRules::FiresR4Prime(IndexType cell) const
 {
-  if (!(m_Parameters.minimumDihedralAngle > 0.0) || m_Complex.GetRegion(cell) == 0)
+  if (!m_Parameters.paperSlivers || m_Complex.GetRegion(cell) == 0)
   {
     return false;
   }

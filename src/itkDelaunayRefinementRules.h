@@ -107,6 +107,10 @@ public:
   void
   Examine(IndexType cell, unsigned int facets, std::vector<FindingType> & findings) const;
 
+  /** Whether any rule fires for a cell or one of its facets. */
+  bool
+  Fires(IndexType cell) const;
+
 private:
   /** The largest delta of the feature vertices of a cell, one left out; the largest of all if there is none. Where
    * components with different deltas meet, the facets' edges see to the transition. */

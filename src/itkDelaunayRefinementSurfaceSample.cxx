@@ -44,8 +44,24 @@ DelaunayRefinementSurfaceSample::DelaunayRefinementSurfaceSample(const DelaunayR
   : m_Oracle(oracle)
   , m_LocalDelta(localDelta)
   , m_RoundToFloat(roundToFloat)
-  , m_Grid(oracle.GetSurfaceBounds().minimum, oracle.GetSurfaceBounds().maximum, CubeSize * localDelta.GetMaximum())
+  , m_Grid(this->MakeGrid())
 {}
+
+DelaunayRefinementPointGrid
+DelaunayRefinementSurfaceSample::MakeGrid() const
+{
+  const auto bounds = m_Oracle.GetSurfaceBounds();
+  return { bounds.minimum, bounds.maximum, CubeSize * m_LocalDelta.GetMaximum() };
+}
+
+bool
+DelaunayRefinementSurfaceSample::HasChanged(const DelaunayRefinementSurfacePatches::PatchType & patch,
+                                            const DelaunayRefinementPointGrid &                 forgotten) const
+{
+  return m_LocalDelta.HasChanged(patch) ||
+         (!forgotten.GetPoints().empty() &&
+          forgotten.HasPointWithin(patch.center, patch.radius + CoverageShare * m_LocalDelta.GetMaximum()));
+}
 
 bool
 DelaunayRefinementSurfaceSample::MayHaveSurfaceWithin(const PointType & point, double radius) const
@@ -67,13 +83,27 @@ DelaunayRefinementSurfaceSample::Certify(std::vector<PointType> &      points,
   using PatchesType = DelaunayRefinementSurfacePatches;
   using SamplerType = DelaunayRefinementBlockSampler;
 
-  PatchesType roots = m_Oracle.GetSurfacePatches();
+  PatchesType                 roots = m_Oracle.GetSurfacePatches();
+  DelaunayRefinementPointGrid forgotten;
+  if (!m_Forgotten.empty())
+  {
+    std::sort(m_Forgotten.begin(), m_Forgotten.end());
+    const std::vector<PointType> all = m_Grid.GetPoints();
+    forgotten = this->MakeGrid();
+    m_Grid = this->MakeGrid();
+    for (const PointType & point : all)
+    {
+      const bool isForgotten = std::binary_search(m_Forgotten.begin(), m_Forgotten.end(), point);
+      (isForgotten ? forgotten : m_Grid).Add(point);
+    }
+    m_Forgotten.clear();
+  }
   if (m_LocalDelta.IsSettled())
   {
     PatchesType changed(roots.GetOrigin());
     for (std::size_t i = 0; i < roots.GetSize(); ++i)
     {
-      if (m_LocalDelta.HasChanged(roots.Get(i)))
+      if (this->HasChanged(roots.Get(i), forgotten))
       {
         changed.Add(roots, i);
       }

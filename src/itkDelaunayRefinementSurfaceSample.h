@@ -51,6 +51,13 @@ public:
   void
   Add(const PointType & point);
 
+  /** Tells of a feature vertex that is gone: R1 is asked again around it. Until then it still counts. */
+  void
+  Forget(const PointType & point)
+  {
+    m_Forgotten.push_back(point);
+  }
+
   /** Appends the points that R1 inserts, until all of the surface is covered; always the same in the same order,
    * however many \c threads there are. Again after delta was lowered somewhere: only there. False if \c keepGoing,
    * asked now and then on the calling thread, said so. */
@@ -70,10 +77,20 @@ public:
   MayHaveSurfaceWithin(const PointType & point, double radius) const;
 
 private:
+  /** Whether R1 may no longer hold in a patch. */
+  bool
+  HasChanged(const DelaunayRefinementSurfacePatches::PatchType & patch,
+             const DelaunayRefinementPointGrid &                 forgotten) const;
+
+  /** A grid for the surface. */
+  DelaunayRefinementPointGrid
+  MakeGrid() const;
+
   const DelaunayRefinementOracle &     m_Oracle;
   const DelaunayRefinementLocalDelta & m_LocalDelta;
   bool                                 m_RoundToFloat;
   DelaunayRefinementPointGrid          m_Grid;
+  std::vector<PointType>               m_Forgotten{};
 };
 } // end namespace itk
 

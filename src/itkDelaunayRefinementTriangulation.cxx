@@ -203,12 +203,31 @@ DelaunayRefinementTriangulation::Insert(const PointType & point, IndexType hint)
   {
     return None;
   }
+  this->CollectNewCells();
+  return m_Star.vertex;
+}
+
+bool
+DelaunayRefinementTriangulation::Reinsert(IndexType vertex, const PointType & point, IndexType hint)
+{
+  m_Points[vertex] = point;
+  m_Star.vertex = vertex;
+  if (!this->MakeStar(point, hint))
+  {
+    return false;
+  }
+  this->CollectNewCells();
+  return true;
+}
+
+void
+DelaunayRefinementTriangulation::CollectNewCells()
+{
   m_NewCells.assign(m_Star.cells.begin(), m_Star.cells.end());
   for (const IndexType cell : m_NewCells)
   {
     this->MendBall(cell);
   }
-  return m_Star.vertex;
 }
 
 template <typename TDomain>

@@ -97,6 +97,10 @@ public:
   IndexType
   Insert(const PointType & point, IndexType hint);
 
+  /** Inserts a removed vertex again, at any point near the cell \c hint; false if the point is a vertex already. */
+  bool
+  Reinsert(IndexType vertex, const PointType & point, IndexType hint);
+
   /** Makes room for threads that work on stars, by numbers below this one; InsertMany() does. */
   void
   SetNumberOfThreads(unsigned int numberOfThreads);
@@ -127,7 +131,7 @@ public:
   void
   MendBall(IndexType cell);
 
-  /** Removes a vertex that is no corner of the convex hull; its index is not used again. */
+  /** Removes a vertex that is no corner of the convex hull; its index is used again by Reinsert() alone. */
   void
   Remove(IndexType vertex);
 
@@ -289,6 +293,10 @@ private:
   bool
   MakeStar(const PointType & point, IndexType hint);
 
+  /** Of an insertion that is done. */
+  void
+  CollectNewCells();
+
   /** Takes cells for a star, and a vertex if it has none. */
   void
   Take(StarType & star);
@@ -306,6 +314,15 @@ private:
   /** The cells of a vertex. */
   void
   FindCellsOfVertex(IndexType vertex, StarType & star);
+
+  /** Makes the cells of the hole that a removed vertex has left within m_Star's boundary, with the vertices \c around
+   * it. */
+  void
+  FillHole(const std::vector<IndexType> & around);
+
+  /** The same where the infinite vertex is one of them. */
+  void
+  FillHoleAtHull(const std::vector<IndexType> & around);
 
   void
   AddBoundary(IndexType cell, unsigned int slot, StarType & star) const;

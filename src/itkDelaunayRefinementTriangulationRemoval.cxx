@@ -15,6 +15,7 @@
  *  limitations under the License.
  *
  *=========================================================================*/
+#include "itkDelaunayRefinementPredicates.h"
 #include "itkDelaunayRefinementTriangulationScratch.h"
 
 #include <algorithm>
@@ -25,6 +26,7 @@ namespace itk
 namespace
 {
 using IndexType = DelaunayRefinementTriangulation::IndexType;
+using Predicates = DelaunayRefinementPredicates;
 
 /** The vertices of a facet in the same sense, the smallest first. */
 std::array<IndexType, 3>
@@ -75,9 +77,9 @@ DelaunayRefinementTriangulation::GetOrientedFacet(IndexType cell, unsigned int s
 void
 DelaunayRefinementTriangulation::Remove(IndexType vertex)
 {
-  // The cells that fill the hole are those of the triangulation of the vertices around it.
   this->FindCellsOfVertex(vertex, m_Star);
-  std::vector<IndexType> around{ InfiniteVertex };
+  auto & around = m_Scratches.front()->around;
+  around.clear();
   for (const BoundaryType & facet : m_Star.boundary)
   {
     for (const unsigned int slot : FacetVertices[facet.slot])
@@ -87,6 +89,85 @@ DelaunayRefinementTriangulation::Remove(IndexType vertex)
   }
   std::sort(around.begin(), around.end());
   around.erase(std::unique(around.begin(), around.end()), around.end());
+
+  for (const IndexType cell : m_Star.cavity)
+  {
+    this->ReleaseCell(cell);
+  }
+  m_CellOfVertex[vertex] = None;
+  m_NewCells.clear();
+  if (around.front() == InfiniteVertex)
+  {
+    this->FillHoleAtHull(around);
+  }
+  else
+  {
+    this->FillHole(around);
+  }
+}
+
+void
+DelaunayRefinementTriangulation::FillHole(const std::vector<IndexType> & around)
+{
+  // Gift wrapping: beyond a facet is the cell with a vertex around whose ball holds no other one on that side.
+  auto & open = m_Scratches.front()->openFacets;
+  open.clear();
+  for (const BoundaryType & facet : m_Star.boundary)
+  {
+    const auto & slots = FacetVertices[facet.slot];
+    open.push_back(
+      { { facet.vertices[slots[0]], facet.vertices[slots[1]], facet.vertices[slots[2]] }, facet.beyond, facet.mirror });
+  }
+  while (!open.empty())
+  {
+    const OrientedFacetType facet = open.back();
+    open.pop_back();
+    const IndexType index = this->TakeCell();
+    CellType &      cell = m_Cells[index];
+    cell.vertices = { facet.vertices[0], facet.vertices[1], facet.vertices[2], None };
+    const PointType & a = m_Points[cell.vertices[0]];
+    const PointType & b = m_Points[cell.vertices[1]];
+    const PointType & c = m_Points[cell.vertices[2]];
+    for (const IndexType apex : around)
+    {
+      if (Predicates::Orientation(a, b, c, m_Points[apex]) > 0 &&
+          (cell.vertices[3] == None || this->IsInConflict(index, m_Points[apex])))
+      {
+        cell.vertices[3] = apex;
+        this->ComputeBall(index);
+      }
+    }
+    assert(cell.vertices[3] != None);
+    this->MendBall(index);
+    this->UpdateCellOfVertices(index);
+    m_NewCells.push_back(index);
+    cell.neighbors[3] = facet.cell;
+    m_Cells[facet.cell].neighbors[facet.slot] = index;
+    for (std::uint8_t slot = 0; slot < 3; ++slot)
+    {
+      // As the cell beyond sees it.
+      const auto &             slots = FacetVertices[slot];
+      std::array<IndexType, 3> vertices{ cell.vertices[slots[0]], cell.vertices[slots[2]], cell.vertices[slots[1]] };
+      const auto               other = std::find_if(open.begin(), open.end(), [&](const OrientedFacetType & candidate) {
+        return std::is_permutation(vertices.begin(), vertices.end(), candidate.vertices.begin());
+      });
+      if (other == open.end())
+      {
+        open.push_back({ vertices, index, slot });
+        continue;
+      }
+      cell.neighbors[slot] = other->cell;
+      m_Cells[other->cell].neighbors[other->slot] = index;
+      *other = open.back();
+      open.pop_back();
+    }
+  }
+}
+
+void
+DelaunayRefinementTriangulation::FillHoleAtHull(const std::vector<IndexType> & around)
+{
+  // The cells are among those of the triangulation of the vertices around.
   std::vector<PointType> points;
   for (std::size_t i = 1; i < around.size(); ++i)
   {
@@ -141,12 +222,6 @@ DelaunayRefinementTriangulation::Remove(IndexType vertex)
     }
   }
 
-  for (const IndexType cell : m_Star.cavity)
-  {
-    this->ReleaseCell(cell);
-  }
-  m_CellOfVertex[vertex] = None;
-  m_NewCells.clear();
   for (const IndexType local : filling)
   {
     globals[local] = this->TakeCell();

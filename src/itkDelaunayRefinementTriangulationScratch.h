@@ -25,7 +25,7 @@
 namespace itk
 {
 /** \class DelaunayRefinementTriangulation::ScratchType
- * \brief Marks of cells and vertices, and what links the cells of a star. */
+ * \brief Marks of cells and vertices, and what links the cells of a star or fills a hole. */
 class DelaunayRefinementTriangulation::ScratchType
 {
 public:
@@ -66,6 +66,8 @@ public:
   std::vector<IndexType>                 matrix = std::vector<IndexType>(MostVerticesOfMatrix * MostVerticesOfMatrix);
   std::vector<std::array<std::uint32_t, 3>> facetPlaces{};
   std::vector<SharedEdgeType>               sharedEdges{};
+  std::vector<IndexType>                    around{};
+  std::vector<OrientedFacetType>            openFacets{};
 };
 
 template <typename TTakeCell, typename TFreeCells>

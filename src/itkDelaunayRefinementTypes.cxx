@@ -54,8 +54,10 @@ operator<<(std::ostream & out, const DelaunayRefinementStatistics & statistics)
              << statistics.extractionSeconds << "; missing components " << statistics.missingComponents.size()
              << "; missing cavities " << statistics.missingCavities.size() << "; lowered deltas "
              << statistics.loweredDeltas.size() << "; changed tetrahedra " << statistics.changedTetrahedra
-             << "; non-manifold vertices " << statistics.nonManifoldVertices << "; mesh to surface "
-             << statistics.meshToSurface.distance << ", surface to mesh " << statistics.surfaceToMesh.distance
-             << "; topology of the image " << statistics.imageTopology << ", of the mesh " << statistics.meshTopology;
+             << "; moved vertices " << statistics.movedVertices << ", slivers left " << statistics.slivers.size()
+             << ", seconds against slivers " << statistics.sliverSeconds << "; non-manifold vertices "
+             << statistics.nonManifoldVertices << "; mesh to surface " << statistics.meshToSurface.distance
+             << ", surface to mesh " << statistics.surfaceToMesh.distance << "; topology of the image "
+             << statistics.imageTopology << ", of the mesh " << statistics.meshTopology;
 }
 } // end namespace itk
