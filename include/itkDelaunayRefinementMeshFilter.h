@@ -169,12 +169,22 @@ public:
   itkGetConstMacro(CellSize, double);
   /** @ITKEndGrouping */
 
-  /** Tetrahedra with a dihedral angle below this, in degrees, are split at their circumcenters as long as that keeps
-   * edges above a quarter of Delta: rule R4' of the paper's section VI-B. At least 0 and below 60, else Update()
-   * throws; default 0: off. No angle is guaranteed. The mesh grows with it, beyond some 15 degrees by far. */
+  /** Lower bound on all dihedral angles, in degrees: slivers are removed, by vertices inserted and moved, with all
+   * other guarantees kept. At least 0 and below 60, else Update() throws; default 0: off. Up to some 15 degrees on
+   * images of organs, and 20 on smooth shapes, all of them go; a warning says if some are left, and GetStatistics()
+   * which. At 10 degrees the mesh grows by a tenth. Not in the paper. */
   /** @ITKStartGrouping */
   itkSetMacro(MinimumDihedralAngle, double);
   itkGetConstMacro(MinimumDihedralAngle, double);
+  /** @ITKEndGrouping */
+
+  /** Against dihedral angles below MinimumDihedralAngle, which has to be set or Update() throws, the paper's own rule
+   * is applied instead: R4' (section VI-B) splits such tetrahedra at their circumcenters, here as long as that keeps
+   * edges above a quarter of Delta. It leaves some, keeps no angle for sure, and the mesh grows more. Default off. */
+  /** @ITKStartGrouping */
+  itkSetMacro(PaperSlivers, bool);
+  itkGetConstMacro(PaperSlivers, bool);
+  itkBooleanMacro(PaperSlivers);
   /** @ITKEndGrouping */
 
   /** Rule R2, with E1 to E3, is also applied to tetrahedra whose circumcenter is outside the object, as in the paper
@@ -469,6 +479,9 @@ private:
   WarnOfSurface();
 
   void
+  WarnOfSlivers();
+
+  void
   WarnOfSmoothing();
 
   void
@@ -502,6 +515,7 @@ private:
   double                             m_RadiusEdgeRatioBound{ 2.0 };
   double                             m_CellSize{ std::numeric_limits<double>::infinity() };
   double                             m_MinimumDihedralAngle{ 0.0 };
+  bool                               m_PaperSlivers{ false };
   bool                               m_RefineOutside{ false };
   bool                               m_Manifold{ true };
   double                             m_HausdorffBound{ 0.0 };

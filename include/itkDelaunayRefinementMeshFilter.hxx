@@ -250,6 +250,7 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::GenerateData()
     this->WarnOfComponents();
     this->WarnOfCavities();
     this->WarnOfSurface();
+    this->WarnOfSlivers();
     this->ThrowIfStrict();
     this->WarnOfSmoothing();
 
@@ -399,6 +400,7 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::MakeParameters(const Del
     SetSizes(this->GetSizeField(), leastSize, parameters);
   }
   parameters.minimumDihedralAngle = m_MinimumDihedralAngle;
+  parameters.paperSlivers = m_PaperSlivers;
   parameters.maximumNumberOfVertices = m_MaximumNumberOfVertices;
   parameters.numberOfThreads = this->ComputeNumberOfThreads();
   parameters.roundToFloat = sizeof(typename OutputMeshType::CoordRepType) < sizeof(double);
@@ -599,6 +601,7 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::PrintSelf(std::ostream &
   os << indent << "RadiusEdgeRatioBound: " << m_RadiusEdgeRatioBound << '\n';
   os << indent << "CellSize: " << m_CellSize << '\n';
   os << indent << "MinimumDihedralAngle: " << m_MinimumDihedralAngle << '\n';
+  os << indent << "PaperSlivers: " << onOff(m_PaperSlivers) << '\n';
   os << indent << "RefineOutside: " << onOff(m_RefineOutside) << '\n';
   os << indent << "Manifold: " << onOff(m_Manifold) << '\n';
   os << indent << "HausdorffBound: " << m_HausdorffBound << '\n';

@@ -79,6 +79,10 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::VerifyPreconditions() IT
     itkExceptionMacro("MinimumDihedralAngle is " << m_MinimumDihedralAngle
                                                  << "; it must be at least 0 and below 60 degrees");
   }
+  if (m_PaperSlivers && m_MinimumDihedralAngle == 0.0)
+  {
+    itkExceptionMacro("PaperSlivers needs a bound on dihedral angles; set MinimumDihedralAngle");
+  }
   if (m_MaximumNumberOfVertices == 0)
   {
     itkExceptionMacro("MaximumNumberOfVertices is 0; it must be positive");
@@ -676,6 +680,29 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::WarnOfSurface()
     warn(m_Statistics.meshToSurface, "the mesh's boundary", "the surface in the image");
     warn(m_Statistics.surfaceToMesh, "the surface in the image", "the mesh's boundary");
   }
+}
+
+template <typename TInputImage, typename TOutputMesh>
+void
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::WarnOfSlivers()
+{
+  constexpr std::size_t mostShown = 10;
+  const auto &          slivers = m_Statistics.slivers;
+  if (slivers.empty() || m_PaperSlivers)
+  {
+    return;
+  }
+  std::ostringstream text;
+  text << "MinimumDihedralAngle " << m_MinimumDihedralAngle << " degrees is not kept by " << slivers.size()
+       << (slivers.size() == 1 ? " tetrahedron:" : " tetrahedra:");
+  for (std::size_t i = 0; i < std::min(slivers.size(), mostShown); ++i)
+  {
+    const auto & place = slivers[i].place;
+    text << (i == 0 ? " " : ", ") << slivers[i].dihedralAngle << " at (" << place[0] << ", " << place[1] << ", "
+         << place[2] << ")";
+  }
+  text << (slivers.size() > mostShown ? ", ..." : "");
+  m_Warnings.push_back(text.str());
 }
 
 template <typename TInputImage, typename TOutputMesh>

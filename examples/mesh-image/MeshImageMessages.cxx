@@ -58,6 +58,7 @@ InWordsOfOptions(const std::string & message)
     { std::regex(R"(\bCellSize\b)"), "--cell-size" },
     { std::regex(R"(\bRadiusEdgeRatioBound\b)"), "--radius-edge-bound" },
     { std::regex(R"(\bMinimumDihedralAngle\b)"), "--min-dihedral" },
+    { std::regex(R"(\bPaperSlivers\b)"), "--paper-slivers" },
     { std::regex(R"(\bMaximumNumberOfVertices\b)"), "--max-vertices" },
     { std::regex(R"(\bLargestComponentOnly\b)"), "--largest-component" },
     { std::regex(R"(\bMinimumComponentSize\b)"), "--min-component" },

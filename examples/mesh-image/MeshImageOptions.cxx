@@ -115,7 +115,11 @@ AddSizeOptions(CLI::App & app, Options & options)
            "DEG",
            options.minimumDihedralAngle,
            ParseDihedralAngle,
-           "split tetrahedra with smaller dihedral angles where possible; default: off")
+           "lower bound on dihedral angles, 10 to 15 being a good one; default: none")
+    ->group(group);
+  app
+    .add_flag(
+      "--paper-slivers", options.paperSlivers, "against --min-dihedral, split tetrahedra by rule R4' of the paper")
     ->group(group);
   AddValue(app,
            "--hausdorff-bound",

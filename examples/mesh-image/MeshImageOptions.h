@@ -55,6 +55,7 @@ struct Options
   std::vector<std::pair<std::uint64_t, double>> labelDeltas;
   std::optional<double>                         radiusEdgeBound;
   std::optional<double>                         minimumDihedralAngle;
+  bool                                          paperSlivers{ false };
   bool                                          refineOutside{ false };
   bool                                          allowNonManifold{ false };
   std::optional<double>                         hausdorffBound;

@@ -50,6 +50,7 @@ Parameters(const Options & options)
            { "cell_size", OrNull(options.cellSize) },
            { "radius_edge_bound", OrNull(options.radiusEdgeBound) },
            { "min_dihedral", OrNull(options.minimumDihedralAngle) },
+           { "paper_slivers", options.paperSlivers },
            { "hausdorff_bound", OrNull(options.hausdorffBound) },
            { "topology", options.topology },
            { "delta_min", OrNull(options.minimumDelta) },
@@ -82,6 +83,7 @@ Seconds(const Report & report)
            { "sampling", run.statistics.samplingSeconds },
            { "insertion", run.statistics.insertionSeconds },
            { "refinement", run.statistics.refinementSeconds },
+           { "slivers", run.statistics.sliverSeconds },
            { "extraction", run.statistics.extractionSeconds },
            { "copy", run.copySeconds },
            { "measuring", report.measuringSeconds },
@@ -106,10 +108,12 @@ Rules(const itk::DelaunayRefinementStatistics & statistics)
            { "shape", insertions(Rule::SHAPE) },
            { "junction", insertions(Rule::JUNCTION) },
            { "manifold", insertions(Rule::MANIFOLD) },
+           { "sliver", insertions(Rule::SLIVER) },
            { "E1", encroachments(Case::E1) },
            { "E2", encroachments(Case::E2) },
            { "E3", encroachments(Case::E3) },
            { "removals", statistics.removals },
+           { "moves", statistics.movedVertices },
            { "encroachment_removals", statistics.encroachmentRemovals } };
 }
 
@@ -214,6 +218,18 @@ LoweredSmoothings(const Run & run)
   return list;
 }
 
+/** The worst come first. */
+Json
+Slivers(const Run & run)
+{
+  Json slivers = Json::array();
+  for (const itk::DelaunayRefinementSliver & sliver : run.statistics.slivers)
+  {
+    slivers.push_back({ { "dihedral_angle", sliver.dihedralAngle }, { "place", sliver.place } });
+  }
+  return slivers;
+}
+
 std::string
 Name(itk::DelaunayRefinementEnums::TerminationReason reason)
 {
@@ -248,6 +264,7 @@ Compose(const Report & report)
            { "missing_cavities", MissingCavities(run) },
            { "missing_labels", run.missingLabels },
            { "lowered_deltas", LoweredDeltas(run) },
+           { "slivers", Slivers(run) },
            { "changed_tetrahedra", run.statistics.changedTetrahedra },
            { "non_manifold_vertices", run.statistics.nonManifoldVertices },
            { "mesh_to_surface", Distance(run.statistics.meshToSurface) },

@@ -107,6 +107,7 @@ SetSizes(TFilter & filter, const Options & options)
   {
     filter.SetMinimumDihedralAngle(*options.minimumDihedralAngle);
   }
+  filter.SetPaperSlivers(options.paperSlivers);
   filter.SetRefineOutside(options.refineOutside);
   filter.SetManifold(!options.allowNonManifold);
   if (options.hausdorffBound)
