@@ -318,8 +318,8 @@ public:
   itkGetConstMacro(MinimumComponentSize, SizeValueType);
   /** @ITKEndGrouping */
 
-  /** Update() throws if a label, component or cavity of the image is missing in the mesh. Default off: they are named
-   * in the warnings. */
+  /** Update() throws if a label, component or cavity of the image is missing in the mesh, or if HausdorffBound,
+   * PreserveTopology or MinimumDihedralAngle is not kept. Default off: a warning names what it is. */
   /** @ITKStartGrouping */
   itkSetMacro(Strict, bool);
   itkGetConstMacro(Strict, bool);
@@ -466,6 +466,10 @@ private:
   std::string
   DescribeComponent(const DelaunayRefinementComponent & component) const;
 
+  /** Those that are left against a bound; empty if there are none. */
+  std::string
+  DescribeSlivers() const;
+
   void
   WarnOfLabels();
 
@@ -476,10 +480,10 @@ private:
   WarnOfCavities();
 
   void
-  WarnOfSurface();
+  WarnOfSlivers();
 
   void
-  WarnOfSlivers();
+  WarnOfSurface();
 
   void
   WarnOfSmoothing();

@@ -249,8 +249,8 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::GenerateData()
     this->WarnOfLabels();
     this->WarnOfComponents();
     this->WarnOfCavities();
-    this->WarnOfSurface();
     this->WarnOfSlivers();
+    this->WarnOfSurface();
     this->ThrowIfStrict();
     this->WarnOfSmoothing();
 

@@ -588,6 +588,12 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::ThrowIfStrict() const
                                          << (isComplete ? m_Warnings.back() : m_Warnings.front())
                                          << "; set a smaller Delta, or leave Strict off");
   }
+  const std::string slivers = this->DescribeSlivers();
+  if (m_Strict && !slivers.empty())
+  {
+    itkExceptionMacro("The mesh is not free of slivers, as Strict asks for: "
+                      << slivers << "; set a smaller MinimumDihedralAngle, or leave Strict off");
+  }
 }
 
 template <typename TInputImage, typename TOutputMesh>
@@ -683,14 +689,14 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::WarnOfSurface()
 }
 
 template <typename TInputImage, typename TOutputMesh>
-void
-DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::WarnOfSlivers()
+std::string
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::DescribeSlivers() const
 {
   constexpr std::size_t mostShown = 10;
   const auto &          slivers = m_Statistics.slivers;
   if (slivers.empty() || m_PaperSlivers)
   {
-    return;
+    return "";
   }
   std::ostringstream text;
   text << "MinimumDihedralAngle " << m_MinimumDihedralAngle << " degrees is not kept by " << slivers.size()
@@ -702,7 +708,18 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::WarnOfSlivers()
          << place[2] << ")";
   }
   text << (slivers.size() > mostShown ? ", ..." : "");
-  m_Warnings.push_back(text.str());
+  return text.str();
+}
+
+template <typename TInputImage, typename TOutputMesh>
+void
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::WarnOfSlivers()
+{
+  const std::string slivers = this->DescribeSlivers();
+  if (!slivers.empty())
+  {
+    m_Warnings.push_back(slivers);
+  }
 }
 
 template <typename TInputImage, typename TOutputMesh>

@@ -118,7 +118,7 @@ DelaunayRefinementSurfaceSample::Certify(std::vector<PointType> &      points,
   for (unsigned int thread = 0; thread < threads.GetNumberOfThreads(); ++thread)
   {
     const auto mayVisit = [&, isCaller = thread == 0](std::size_t numberOfPatches) {
-      if (isCaller)
+      if (isCaller && !isStopped.load(std::memory_order_relaxed))
       {
         const std::size_t before = numberOfVisits / VisitsBetweenQuestions;
         numberOfVisits += numberOfPatches;

@@ -263,9 +263,30 @@ TEST_F(CommandResult, SizeOptions)
 
   const Json round = this->Run(MakeBall(), { "--delta", "2", "--radius-edge-bound", "1.4" });
   EXPECT_LT(round.at("quality").at("radius_edge_ratio_max"), 1.4);
+}
 
-  const Json split = this->Run(MakeBall(), { "--delta", "2", "--min-dihedral", "12" });
+TEST_F(CommandResult, Slivers)
+{
+  EXPECT_LT(this->Run(MakeBall(), { "--delta", "2" }).at("quality").at("dihedral_angle_min"), 12.0);
+  const Json mended = this->Run(MakeBall(), { "--delta", "2", "--min-dihedral", "12" });
+  EXPECT_GE(mended.at("quality").at("dihedral_angle_min"), 12.0);
+  EXPECT_EQ(mended.at("slivers"), Json::array());
+  EXPECT_EQ(mended.at("rules").at("R4'"), 0);
+  EXPECT_GT(mended.at("rules").at("sliver").get<int>() + mended.at("rules").at("moves").get<int>(), 0);
+  EXPECT_GT(mended.at("seconds").at("slivers"), 0.0);
+
+  const Json split = this->Run(MakeBall(), { "--delta", "2", "--min-dihedral", "12", "--paper-slivers" });
   EXPECT_GT(split.at("rules").at("R4'"), 0);
+  EXPECT_EQ(split.at("rules").at("sliver"), 0);
+  EXPECT_EQ(split.at("parameters").at("paper_slivers"), true);
+
+  const Json left = this->Run(MakeBall(), { "--delta", "4", "--min-dihedral", "50" });
+  ASSERT_FALSE(left.at("slivers").empty());
+  EXPECT_NEAR(left.at("slivers").front().at("dihedral_angle").get<double>(),
+              left.at("quality").at("dihedral_angle_min").get<double>(),
+              1e-6);
+  EXPECT_EQ(left.at("slivers").front().at("place").size(), 3u);
+  EXPECT_NE(left.at("warnings").dump().find("--min-dihedral 50 degrees"), std::string::npos);
 }
 
 TEST_F(CommandResult, Components)

@@ -142,6 +142,7 @@ TEST_F(CommandUsage, ShowsHelpAndVersion)
                                "--delta",
                                "--cell-size",
                                "--min-dihedral",
+                               "--paper-slivers",
                                "--radius-edge-bound",
                                "--max-vertices",
                                "--interpolator",

@@ -94,9 +94,11 @@ TEST_F(DelaunayRefinementBrain, FineMesh)
 TEST_F(DelaunayRefinementBrain, MeshWithoutSlivers)
 {
   const double plain = ComputeDihedralAngles(MeshAt(6.0)).minimum;
-  const double mended = ComputeDihedralAngles(MeshAt(6.0, 10.0)).minimum;
   EXPECT_LT(plain, 5.0);
-  EXPECT_GT(mended, plain);
+  const CheckedMesh mended = MeshAt(6.0, 15.0);
+  EXPECT_GE(ComputeDihedralAngles(mended).minimum, 15.0);
+  ExpectManifoldBoundary(mended);
+  EXPECT_GE(ComputeDihedralAngles(MeshAt(3.0, 12.0)).minimum, 12.0);
 }
 
 TEST_F(DelaunayRefinementBrain, NoRuleFiresAnyMore)

@@ -117,6 +117,33 @@ TEST(DelaunayRefinementMeshFilterErrors, BadMinimumDihedralAngle)
                       [](auto * filter, double value) { filter->SetMinimumDihedralAngle(value); });
 }
 
+TEST(DelaunayRefinementMeshFilterErrors, PaperSliversWithoutAnAngle)
+{
+  const auto image = MakeMask(MakeCubeGeometry(24), BallOracle(origin, 10.0));
+  const auto filter = MakeFilter(image.GetPointer(), 3.0);
+  filter->PaperSliversOn();
+  ExpectError(filter.GetPointer(), { "PaperSlivers", "set MinimumDihedralAngle" });
+  filter->SetMinimumDihedralAngle(10.0);
+  filter->Update();
+}
+
+TEST(DelaunayRefinementMeshFilterErrors, SliversThatAreLeft)
+{
+  const auto image = MakeMask(MakeCubeGeometry(24), BallOracle(origin, 10.0));
+  const auto filter = MakeFilter(image.GetPointer(), 4.0);
+  filter->SetMinimumDihedralAngle(50.0);
+  filter->Update();
+  const std::size_t number = filter->GetStatistics().slivers.size();
+  ASSERT_GT(number, 10u);
+  ASSERT_EQ(filter->GetWarnings().size(), 1u);
+  const std::string & warning = filter->GetWarnings().front();
+  EXPECT_NE(warning.find("MinimumDihedralAngle 50 degrees is not kept by " + std::to_string(number)), std::string::npos)
+    << warning;
+  EXPECT_NE(warning.find(", ..."), std::string::npos) << warning;
+  filter->StrictOn();
+  ExpectError(filter.GetPointer(), { "MinimumDihedralAngle 50 degrees", "Strict" });
+}
+
 TEST(DelaunayRefinementMeshFilterErrors, BadMaximumNumberOfVertices)
 {
   ExpectRefusedValues("MaximumNumberOfVertices", { 0.0 }, 1e6, [](auto * filter, double value) {

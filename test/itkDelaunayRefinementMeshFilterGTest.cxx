@@ -67,6 +67,7 @@ TEST(DelaunayRefinementMeshFilter, Defaults)
   EXPECT_EQ(filter->GetRadiusEdgeRatioBound(), 2.0);
   EXPECT_EQ(filter->GetCellSize(), std::numeric_limits<double>::infinity());
   EXPECT_EQ(filter->GetMinimumDihedralAngle(), 0.0);
+  EXPECT_FALSE(filter->GetPaperSlivers());
   EXPECT_FALSE(filter->GetRefineOutside());
   EXPECT_TRUE(filter->GetManifold());
   EXPECT_EQ(filter->GetHausdorffBound(), 0.0);

@@ -134,9 +134,12 @@ TEST(DelaunayRefinementRules, R4PrimeRemovesSlivers)
   EXPECT_EQ(off.GetInsertions(RefinementRule::R4_PRIME), 0u);
 
   parameters.minimumDihedralAngle = 10.0;
+  parameters.paperSlivers = true;
   const EngineRun run = RunEngine(torus, parameters);
   ASSERT_NO_FATAL_FAILURE(ExpectCompleted(run));
   EXPECT_GT(run.GetInsertions(RefinementRule::R4_PRIME), 0u);
+  EXPECT_EQ(run.GetInsertions(RefinementRule::SLIVER), 0u);
+  EXPECT_EQ(run.statistics.movedVertices, 0u);
   const CheckedMesh mesh = MakeCheckedMesh(run.result);
   ExpectGuarantees(mesh);
   EXPECT_LT(ComputeDihedralAngles(MakeCheckedMesh(off.result)).minimum, 10.0);
@@ -149,6 +152,7 @@ TEST(DelaunayRefinementRules, R4PrimeEndsForEveryAngle)
 {
   auto parameters = MakeParameters(3.0);
   parameters.minimumDihedralAngle = 59.0;
+  parameters.paperSlivers = true;
   const EngineRun run = RunEngine(BallOracle(origin, 5.0), parameters);
   ASSERT_NO_FATAL_FAILURE(ExpectCompleted(run));
   ExpectGuarantees(MakeCheckedMesh(run.result));

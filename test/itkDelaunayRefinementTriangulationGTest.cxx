@@ -181,6 +181,34 @@ operator<<(std::ostream & out, const PointSet & set)
 
 class DelaunayRefinementTriangulation : public testing::TestWithParam<PointSet>
 {};
+/** With the corners of a box around, which keeps the others off the convex hull, and three points on its faces, where
+ * the engine removes vertices too. */
+std::vector<PointType>
+MakePointsInBox(const std::vector<PointType> & inside)
+{
+  PointType minimum = inside.front();
+  PointType maximum = minimum;
+  for (const PointType & point : inside)
+  {
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      minimum[i] = std::min(minimum[i], point[i] - 4.0);
+      maximum[i] = std::max(maximum[i], point[i] + 4.0);
+    }
+  }
+  std::vector<PointType> points;
+  for (unsigned int corner = 0; corner < 8; ++corner)
+  {
+    points.push_back({ (corner & 1u ? maximum : minimum)[0],
+                       (corner & 2u ? maximum : minimum)[1],
+                       (corner & 4u ? maximum : minimum)[2] });
+  }
+  points.push_back({ maximum[0], minimum[1] + 2.0, minimum[2] + 3.0 });
+  points.push_back({ maximum[0], minimum[1] + 3.0, maximum[2] - 2.0 });
+  points.push_back({ minimum[0] + 1.0, minimum[1], maximum[2] - 1.0 });
+  points.insert(points.end(), inside.begin(), inside.end());
+  return points;
+}
 } // namespace
 
 TEST_P(DelaunayRefinementTriangulation, InsertManyMakesTheCellsOfTheWitness)
@@ -272,31 +300,8 @@ TEST_P(DelaunayRefinementTriangulation, InsertInBatchesMakesTheCellsOfTheWitness
 
 TEST_P(DelaunayRefinementTriangulation, RemoveLeavesTheCellsOfTheWitness)
 {
-  // A box around keeps all others off the convex hull.
-  PointType minimum = GetParam().points.front();
-  PointType maximum = minimum;
-  for (const PointType & point : GetParam().points)
-  {
-    for (unsigned int i = 0; i < 3; ++i)
-    {
-      minimum[i] = std::min(minimum[i], point[i] - 4.0);
-      maximum[i] = std::max(maximum[i], point[i] + 4.0);
-    }
-  }
-  std::vector<PointType> points;
-  for (unsigned int corner = 0; corner < 8; ++corner)
-  {
-    points.push_back({ (corner & 1u ? maximum : minimum)[0],
-                       (corner & 2u ? maximum : minimum)[1],
-                       (corner & 4u ? maximum : minimum)[2] });
-  }
-  // On faces of the box, where the engine removes vertices too.
-  points.push_back({ maximum[0], minimum[1] + 2.0, minimum[2] + 3.0 });
-  points.push_back({ maximum[0], minimum[1] + 3.0, maximum[2] - 2.0 });
-  points.push_back({ minimum[0] + 1.0, minimum[1], maximum[2] - 1.0 });
-  points.insert(points.end(), GetParam().points.begin(), GetParam().points.end());
   TriangulationType triangulation;
-  ASSERT_TRUE(triangulation.InsertMany(points, keepGoing));
+  ASSERT_TRUE(triangulation.InsertMany(MakePointsInBox(GetParam().points), keepGoing));
   std::mt19937 random(4);
   for (IndexType vertex = 9; vertex < triangulation.GetNumberOfVertexIndexes(); ++vertex)
   {
@@ -310,6 +315,35 @@ TEST_P(DelaunayRefinementTriangulation, RemoveLeavesTheCellsOfTheWitness)
       ExpectSameAsWitness(triangulation);
     }
   }
+  ExpectSameAsWitness(triangulation);
+}
+
+TEST_P(DelaunayRefinementTriangulation, ReinsertMakesTheCellsOfTheWitness)
+{
+  // Vertices move to places of others that are out, so that points on common spheres and planes stay so.
+  TriangulationType triangulation;
+  ASSERT_TRUE(triangulation.InsertMany(MakePointsInBox(GetParam().points), keepGoing));
+  const IndexType size = triangulation.GetNumberOfVertexIndexes();
+  std::mt19937    random(5);
+  for (unsigned int i = 0; i < 60; ++i)
+  {
+    const IndexType one = 9 + random() % (size - 9);
+    const IndexType other = 9 + random() % (size - 9);
+    if (one == other)
+    {
+      continue;
+    }
+    const PointType pointOfOne = triangulation.GetPoint(one);
+    const PointType pointOfOther = triangulation.GetPoint(other);
+    triangulation.Remove(one);
+    triangulation.Remove(other);
+    EXPECT_TRUE(triangulation.Reinsert(one, pointOfOther, triangulation.GetNewCells().front()));
+    EXPECT_FALSE(triangulation.Reinsert(other, pointOfOther, triangulation.GetNewCells().front()));
+    EXPECT_TRUE(triangulation.Reinsert(other, pointOfOne, triangulation.GetCellOfVertex(one)));
+    EXPECT_EQ(triangulation.GetPoint(one), pointOfOther);
+    EXPECT_NE(triangulation.GetCellOfVertex(other), TriangulationType::None);
+  }
+  EXPECT_EQ(triangulation.GetNumberOfVertexIndexes(), size);
   ExpectSameAsWitness(triangulation);
 }
 

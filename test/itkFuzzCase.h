@@ -189,7 +189,8 @@ MeshFuzzCase(FuzzBytes & bytes, FuzzOutcomes & outcomes)
   }
   if (bytes.TakeRarely(6))
   {
-    filter->SetMinimumDihedralAngle(bytes.TakeNumber(0.0, 12.0));
+    filter->SetMinimumDihedralAngle(bytes.TakeNumber(0.5, 20.0));
+    filter->SetPaperSlivers(bytes.TakeRarely(4));
   }
   if (bytes.TakeRarely(6))
   {

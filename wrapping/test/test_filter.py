@@ -6,7 +6,7 @@ import itk
 import numpy as np
 import pytest
 from conftest import ball, ball_values, make_image
-from mesh_checks import assert_guarantees, boundary_triangles, enclosed_volume, volumes
+from mesh_checks import FACES, assert_guarantees, boundary_triangles, enclosed_volume, volumes
 
 MESHES = [itk.Mesh[itk.F, 3], itk.Mesh[itk.D, 3]]
 INTEGERS = [np.uint8, np.int16, np.uint16, np.int32, np.uint32, np.uint64]
@@ -15,6 +15,7 @@ PARAMETERS = {
     "cell_size": ("CellSize", 4.0),
     "radius_edge_ratio_bound": ("RadiusEdgeRatioBound", 2.5),
     "minimum_dihedral_angle": ("MinimumDihedralAngle", 8.0),
+    "paper_slivers": ("PaperSlivers", True),
     "manifold": ("Manifold", False),
     "hausdorff_bound": ("HausdorffBound", 1.5),
     "preserve_topology": ("PreserveTopology", True),
@@ -131,6 +132,26 @@ def test_size_field_has_a_grid_of_its_own():
     lengths[1, 2, 3] = np.nan
     with pytest.raises(RuntimeError, match="SizeField"):
         itk.delaunay_refinement_mesh_filter(image, delta=6.0, size_field=make_image(lengths))
+
+
+def smallest_dihedral_angle(mesh):
+    p = mesh.points.astype(np.float64)[mesh.cells]
+    normals = [np.cross(p[:, b] - p[:, a], p[:, c] - p[:, a]) for a, b, c in FACES]
+    normals = [n / np.linalg.norm(n, axis=1, keepdims=True) for n in normals]
+    cosines = [-(normals[i] * normals[j]).sum(axis=1) for i in range(4) for j in range(i)]
+    return np.degrees(np.arccos(np.max(cosines)))
+
+
+def test_slivers_are_removed():
+    image = ball(size=32, radius=12.0)
+    assert smallest_dihedral_angle(arrays(itk.delaunay_refinement_mesh_filter(image, delta=2.0))) < 10.0
+    mesh = arrays(itk.delaunay_refinement_mesh_filter(image, delta=2.0, minimum_dihedral_angle=15.0))
+    assert_guarantees(mesh)
+    assert smallest_dihedral_angle(mesh) >= 15.0
+    with pytest.raises(RuntimeError, match="MinimumDihedralAngle"):
+        itk.delaunay_refinement_mesh_filter(image, delta=4.0, minimum_dihedral_angle=55.0, strict=True)
+    with pytest.raises(RuntimeError, match="PaperSlivers"):
+        itk.delaunay_refinement_mesh_filter(image, delta=4.0, paper_slivers=True)
 
 
 def test_topology_is_that_of_the_image():
