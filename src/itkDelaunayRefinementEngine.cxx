@@ -246,6 +246,7 @@ private:
   std::uint32_t                                     m_NumberOfExaminations{ 0 };
   std::mt19937_64                                   m_Random{};
   bool                                              m_IsSampleOpen{ false };
+  bool                                              m_IsSampleThinned{ false }; // by moves of vertices alone
   TerminationReason                                 m_Reason{ TerminationReason::COMPLETED };
   unsigned int                                      m_NumberOfLowerings{ 0 };
   unsigned int                                      m_NumberOfShapeRounds{ 0 };
@@ -505,7 +506,14 @@ DelaunayRefinementEngine::Impl::ApplyR1()
   }
   // All at once: the points keep their distance from each other and from the vertices there are now.
   std::vector<PointType> points;
-  this->Certify(points, m_Complex->GetNumberOfVertices());
+  const bool             isCertified = this->Certify(points, m_Complex->GetNumberOfVertices());
+  if (isCertified && m_IsSampleThinned)
+  {
+    const std::size_t number = points.size();
+    points = m_SliverRemoval->Cover(points);
+    m_Statistics.insertions[static_cast<std::size_t>(RefinementRule::R1)] += number - points.size();
+  }
+  m_IsSampleThinned = false;
   if (!points.empty())
   {
     m_Repair->Undo();
@@ -826,6 +834,7 @@ DelaunayRefinementEngine::Impl::RemoveSlivers()
   ++m_NumberOfSliverRounds;
   const auto start = Clock::now();
   m_IsSampleOpen = m_SliverRemoval->Run([this] { return this->KeepGoing(); });
+  m_IsSampleThinned = m_IsSampleOpen;
   m_SizeAfterSlivers = triangulation.GetNumberOfVertexIndexes();
   m_Statistics.sliverSeconds += SecondsSince(start);
   return m_IsSampleOpen;

@@ -144,6 +144,28 @@ DelaunayRefinementSliverRemoval::Run(const std::function<bool()> & keepGoing)
   return isChanged;
 }
 
+std::vector<DelaunayRefinementPoint>
+DelaunayRefinementSliverRemoval::Cover(const std::vector<PointType> & points)
+{
+  std::vector<PointType> left;
+  IndexType              hint = m_Complex.GetTriangulation().GetCellOfVertex(1);
+  for (const PointType & point : points)
+  {
+    if (m_Complex.GetNumberOfVertices() < m_Parameters.maximumNumberOfVertices &&
+        m_Trial.MayInsertFeature(point, hint) &&
+        m_Trial.Insert(point, VertexKind::FEATURE, m_LocalDelta.GetAt(point), hint) != DelaunayRefinementComplex::None)
+    {
+      hint = m_Complex.GetNewCells().front();
+    }
+    else
+    {
+      left.push_back(point);
+      hint = m_Complex.GetTriangulation().GetCellOfVertex(1);
+    }
+  }
+  return left;
+}
+
 bool
 DelaunayRefinementSliverRemoval::Mend(PassEnum pass, const SliverType & sliver)
 {

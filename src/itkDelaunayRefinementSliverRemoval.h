@@ -55,6 +55,11 @@ public:
   bool
   Run(const std::function<bool()> & keepGoing);
 
+  /** Inserts the points that R1 asks for where feature vertices were moved, as far as they do no harm: what it gives
+   * back is left for the rules. */
+  std::vector<PointType>
+  Cover(const std::vector<PointType> & points);
+
   /** The tetrahedra inside with a smaller angle, ascending. */
   std::vector<IndexType>
   FindSlivers() const;

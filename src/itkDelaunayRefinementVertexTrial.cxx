@@ -96,8 +96,8 @@ DelaunayRefinementVertexTrial::MayPartRegions(const PointType & first, IndexType
            LargestBoundaryCosine;
 }
 
-bool
-DelaunayRefinementVertexTrial::MayInsert(const PointType & point, VertexKind kind, IndexType hint, double spacing)
+void
+DelaunayRefinementVertexTrial::CloseHole()
 {
   m_Vertex = None;
   m_Hole.clear();
@@ -108,22 +108,39 @@ DelaunayRefinementVertexTrial::MayInsert(const PointType & point, VertexKind kin
   m_HoleBadness = 0.0;
   m_NumberOfTooLarge = 0;
   m_IsUniform = true;
+}
+
+bool
+DelaunayRefinementVertexTrial::MayInsert(const PointType & point, VertexKind kind, IndexType hint, double spacing)
+{
+  this->CloseHole();
   m_Region = m_Complex.GetRegion(hint);
-  return this->MayBeAt(point, kind, hint, spacing);
+  return this->MayBeAt(point, kind, hint, spacing, -LeastGain);
+}
+
+bool
+DelaunayRefinementVertexTrial::MayInsertFeature(const PointType & point, IndexType hint)
+{
+  this->CloseHole();
+  return this->MayBeAt(point, VertexKind::FEATURE, hint, 0.0, std::numeric_limits<double>::infinity());
 }
 
 bool
 DelaunayRefinementVertexTrial::MayPut(const PointType & point, double spacing)
 {
-  return this->MayBeAt(point, m_Complex.GetKind(m_Vertex), m_Hole.front().first, spacing);
+  return this->MayBeAt(point, m_Complex.GetKind(m_Vertex), m_Hole.front().first, spacing, -LeastGain);
 }
 
 bool
-DelaunayRefinementVertexTrial::MayBeAt(const PointType & point, VertexKind kind, IndexType hint, double spacing)
+DelaunayRefinementVertexTrial::MayBeAt(const PointType & point,
+                                       VertexKind        kind,
+                                       IndexType         hint,
+                                       double            spacing,
+                                       double            mostChange)
 {
   const bool isFree = kind == VertexKind::FREE;
   if ((isFree && !m_IsUniform) || !m_Complex.FindStar(point, hint, m_Star, 0) || !this->ExamineCavity(isFree) ||
-      !this->KeepsSpacing(point, isFree, spacing) || !this->FindShapes(point, isFree, m_BadnessBefore - LeastGain))
+      !this->KeepsSpacing(point, isFree, spacing) || !this->FindShapes(point, isFree, m_BadnessBefore + mostChange))
   {
     return false;
   }

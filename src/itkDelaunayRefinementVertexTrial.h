@@ -59,7 +59,12 @@ public:
   bool
   MayInsert(const PointType & point, VertexKind kind, IndexType hint, double spacing);
 
-  /** Inserts what the last call of MayInsert() was about; None if that does harm, and nothing was changed then. */
+  /** The same for a feature vertex that need not help, but do no harm. */
+  bool
+  MayInsertFeature(const PointType & point, IndexType hint);
+
+  /** Inserts what the last call of MayInsert() or MayInsertFeature() was about; None if that does harm, and nothing was
+   * changed then. */
   IndexType
   Insert(const PointType & point, VertexKind kind, double delta, IndexType hint);
 
@@ -145,8 +150,12 @@ private:
     std::uint32_t            shape;
   };
 
+  /** Forgets the vertex that was taken out. */
+  void
+  CloseHole();
+
   bool
-  MayBeAt(const PointType & point, VertexKind kind, IndexType hint, double spacing);
+  MayBeAt(const PointType & point, VertexKind kind, IndexType hint, double spacing, double mostChange);
 
   /** Looks at the cells that would go; false if one of them may not. */
   bool

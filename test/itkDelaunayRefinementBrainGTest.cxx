@@ -109,11 +109,13 @@ TEST_F(DelaunayRefinementBrain, NoRuleFiresAnyMore)
   object.definition = itk::DelaunayRefinementObject<short>::DefinitionEnum::THRESHOLD;
   object.largestComponentOnly = true;
   const OracleType oracle(m_Image, object);
-  for (const bool refineOutside : { false, true })
+  for (const auto & [refineOutside, minimumDihedralAngle] :
+       { std::pair{ false, 0.0 }, std::pair{ true, 0.0 }, std::pair{ false, 18.0 }, std::pair{ true, 12.0 } })
   {
     itk::DelaunayRefinementParameters parameters;
     parameters.delta = 6.0;
     parameters.refineOutside = refineOutside;
+    parameters.minimumDihedralAngle = minimumDihedralAngle;
     itk::DelaunayRefinementEngine engine(oracle, parameters);
     ASSERT_EQ(engine.Run(), itk::DelaunayRefinementEnums::TerminationReason::COMPLETED);
     for (const std::size_t number : engine.CountFiringRules())

@@ -110,6 +110,36 @@ MakeRandomBlock(unsigned int seed)
 }
 } // namespace
 
+TEST(DelaunayRefinementMeshFilterTopology, SliverRemovalKeepsIt)
+{
+  // Coarse meshes of noise have thin parts, tunnels and islands of few tetrahedra.
+  std::size_t numberOfMoves = 0;
+  std::size_t numberOfSame = 0;
+  for (unsigned int seed = 1; seed <= 24; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    const auto image = MakeRandomBlock(seed);
+    const auto filter = MakeFilter<DoubleMeshType>(image.GetPointer(), seed % 2 == 0 ? 1.0 : 1.5);
+    filter->Update();
+    const auto         isOfR1 = static_cast<std::size_t>(itk::DelaunayRefinementEnums::RefinementRule::R1);
+    const std::size_t  insertionsOfR1 = filter->GetStatistics().insertions[isOfR1];
+    const TopologyType plain = MeasureTopology(GetMesh(filter.GetPointer()));
+    filter->SetMinimumDihedralAngle(15.0);
+    filter->Update();
+    const CheckedMesh mesh = GetMesh(filter.GetPointer());
+    ExpectGuarantees(mesh);
+    ExpectManifoldBoundary(mesh);
+    EXPECT_GE(ComputeDihedralAngles(mesh).minimum, 15.0);
+    const bool isSame = MeasureTopology(mesh) == plain;
+    // R1 may have needed a vertex that can't be had without a change.
+    EXPECT_TRUE(isSame || filter->GetStatistics().insertions[isOfR1] > insertionsOfR1);
+    numberOfSame += isSame ? 1 : 0;
+    numberOfMoves += filter->GetStatistics().movedVertices;
+  }
+  EXPECT_GE(numberOfSame, 20u);
+  EXPECT_GT(numberOfMoves, 100u);
+}
+
 TEST(DelaunayRefinementMeshFilterTopology, HandlesAreThere)
 {
   // A plate with four narrow holes.
