@@ -39,6 +39,12 @@ public:
     , m_SquaredCosine(bound > 0.0 ? std::cos(m_Bound) * std::cos(m_Bound) : std::numeric_limits<double>::infinity())
   {}
 
+  bool
+  IsBounded() const
+  {
+    return std::isfinite(m_SquaredCosine);
+  }
+
   /** 0 if no angle is below the bound. Each that is adds from 0.1, at the bound, to 1.1, at 0 degrees. */
   double
   ComputeBadness(const PointType & a, const PointType & b, const PointType & c, const PointType & d) const

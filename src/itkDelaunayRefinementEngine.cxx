@@ -71,8 +71,9 @@ constexpr unsigned int MaximumNumberOfShapeRounds = 20;
 /** So often vertices are put where the boundary is no manifold. */
 constexpr unsigned int MaximumNumberOfManifoldRounds = 20;
 
-/** So often slivers are removed anew. */
+/** So often slivers are removed anew, but not if more than so many are left: the bound is out of reach then. */
 constexpr unsigned int MaximumNumberOfSliverRounds = 20;
+constexpr std::size_t  MostSliversForAnotherRound = 1000;
 
 constexpr double DegreesPerRadian = 57.29577951308232;
 } // namespace
@@ -195,6 +196,10 @@ private:
   /** Makes the regions' boundaries 2-manifolds; true if rules have to be asked again before the next try. */
   bool
   MakeManifold();
+
+  /** Gives all tetrahedra back to the regions of their circumcenters, slivers that were left to outside included. */
+  void
+  UndoRepair();
 
   /** Puts a vertex on the largest surface ball of the facets at a vertex that part regions. */
   void
@@ -356,7 +361,7 @@ DelaunayRefinementEngine::Impl::StartComplex(const std::vector<PointType> & seed
   m_Encroachment = std::make_unique<DelaunayRefinementEncroachment>(*m_Complex);
   m_Circumcenters = std::make_unique<DelaunayRefinementCircumcenters>(*m_Complex, *m_Rules, m_Threads);
   m_Repair = std::make_unique<DelaunayRefinementManifoldRepair>(
-    m_Oracle, *m_Rules, *m_Complex, m_Threads, m_Parameters.minimumDihedralAngle);
+    m_Oracle, *m_Rules, *m_Complex, m_Threads, m_Parameters.paperSlivers ? 0.0 : m_Parameters.minimumDihedralAngle);
   m_SliverRemoval = std::make_unique<DelaunayRefinementSliverRemoval>(
     m_Parameters, m_Oracle, m_LocalDelta, *m_Rules, *m_Repair, *m_Sample, *m_Complex, m_Threads);
   m_Accuracy =
@@ -388,7 +393,7 @@ DelaunayRefinementEngine::Impl::Refine()
     }
     if (!(this->ApplyR1() || this->ApplyR3() || this->ApplyEncroachment() || this->ApplyR2() || this->ApplyR4() ||
           this->MendFlatTetrahedra() || this->LowerDeltaOfMissingComponents() || this->MakeManifold() ||
-          this->RemoveSlivers() || this->ImproveAccuracy()))
+          this->ImproveAccuracy() || this->RemoveSlivers()))
     {
       return;
     }
@@ -516,7 +521,7 @@ DelaunayRefinementEngine::Impl::ApplyR1()
   m_IsSampleThinned = false;
   if (!points.empty())
   {
-    m_Repair->Undo();
+    this->UndoRepair();
   }
   for (std::size_t i = 0; i < points.size() && m_Reason == TerminationReason::COMPLETED; ++i)
   {
@@ -714,6 +719,7 @@ DelaunayRefinementEngine::Impl::MendFlatTetrahedra()
     return false;
   }
   ++m_NumberOfShapeRounds;
+  this->UndoRepair();
   for (const IndexType vertex : vertices)
   {
     this->MoveVertex(vertex);
@@ -738,6 +744,11 @@ DelaunayRefinementEngine::Impl::MoveVertex(IndexType vertex)
     return;
   }
   m_Complex->Remove(vertex);
+  if (kind == VertexKind::FEATURE)
+  {
+    m_Sample->Forget(old);
+    m_Sample->Add(m_Complex->Round(moved));
+  }
   this->ExamineNewCells();
   const IndexType hint = m_Complex->GetNewCells().front();
   if (this->Insert(RefinementRule::SHAPE, m_Complex->Round(moved), kind, delta, hint) ==
@@ -784,14 +795,26 @@ DelaunayRefinementEngine::Impl::MakeManifold()
     return false;
   }
   ++m_NumberOfManifoldRounds;
-  m_Repair->Undo();
+  this->UndoRepair();
   std::for_each(left.begin(), left.end(), [this](IndexType vertex) { this->InsertNear(vertex); });
   return true;
 }
 
 void
+DelaunayRefinementEngine::Impl::UndoRepair()
+{
+  m_Repair->Undo();
+  m_SizeAfterSlivers = 0;
+}
+
+void
 DelaunayRefinementEngine::Impl::InsertNear(IndexType vertex)
 {
+  if (m_Complex->GetTriangulation().GetCellOfVertex(vertex) == DelaunayRefinementComplex::None)
+  {
+    // A feature vertex that was put nearby made room for itself.
+    return;
+  }
   DelaunayRefinementVertexStar star;
   star.Find(*m_Complex, vertex);
   const PointType own = m_Complex->GetPoint(vertex);
@@ -823,11 +846,12 @@ DelaunayRefinementEngine::Impl::InsertNear(IndexType vertex)
 bool
 DelaunayRefinementEngine::Impl::RemoveSlivers()
 {
-  // New tetrahedra come with new vertices alone.
+  // New tetrahedra come with new vertices, or when they are given back.
   const auto & triangulation = m_Complex->GetTriangulation();
   if (!(m_Parameters.minimumDihedralAngle > 0.0) || m_Parameters.paperSlivers ||
       m_NumberOfSliverRounds == MaximumNumberOfSliverRounds ||
-      m_SizeAfterSlivers == triangulation.GetNumberOfVertexIndexes())
+      m_SizeAfterSlivers == triangulation.GetNumberOfVertexIndexes() ||
+      m_SliverRemoval->GetNumberOfLeft() > MostSliversForAnotherRound)
   {
     return false;
   }
@@ -859,7 +883,11 @@ DelaunayRefinementEngine::Impl::DescribeSlivers()
       center = Geometry::AddScaled(center, 0.25, point);
     }
     const double cosine = Geometry::ComputeLargestDihedralCosine(p[0], p[1], p[2], p[3]);
-    m_Statistics.slivers.push_back({ std::acos(std::min(1.0, cosine)) * DegreesPerRadian, center });
+    const double angle = std::acos(std::min(1.0, cosine)) * DegreesPerRadian;
+    if (angle < m_Parameters.minimumDihedralAngle)
+    {
+      m_Statistics.slivers.push_back({ angle, center });
+    }
   }
   std::stable_sort(m_Statistics.slivers.begin(), m_Statistics.slivers.end(), [](const auto & a, const auto & b) {
     return a.dihedralAngle < b.dihedralAngle;
@@ -872,7 +900,7 @@ DelaunayRefinementEngine::Impl::ImproveAccuracy()
   m_IsSampleOpen = m_Accuracy->Improve(m_Statistics);
   if (m_IsSampleOpen)
   {
-    m_Repair->Undo();
+    this->UndoRepair();
   }
   return m_IsSampleOpen;
 }

@@ -198,11 +198,6 @@ DelaunayRefinementLocalTopology::AreEqual(FacetsType & before, FacetsType & afte
   m_Regions.erase(std::unique(m_Regions.begin(), m_Regions.end()), m_Regions.end());
   for (const RegionType region : m_Regions)
   {
-    // What is not outside is of some region.
-    if (region == 0)
-    {
-      continue;
-    }
     if (!this->Describe(before, region, m_Before) || !this->Describe(after, region, m_After) ||
         (mayComeOrGo && !(TakeOut(vertex, m_Before.fans) && TakeOut(vertex, m_After.fans))) ||
         m_Before.parts != m_After.parts || m_Before.rim != m_After.rim || m_Before.fans != m_After.fans)
@@ -219,6 +214,8 @@ DelaunayRefinementLocalTopology::AreEqual(FacetsType & before, FacetsType & afte
       }
     }
   }
+  std::sort(m_VerticesToAsk.begin(), m_VerticesToAsk.end());
+  m_VerticesToAsk.erase(std::unique(m_VerticesToAsk.begin(), m_VerticesToAsk.end()), m_VerticesToAsk.end());
   return true;
 }
 } // end namespace itk

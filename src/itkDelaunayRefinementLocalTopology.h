@@ -39,7 +39,8 @@ public:
   using IndexType = DelaunayRefinementTriangulation::IndexType;
   using RegionType = DelaunayRefinementRegion;
 
-  /** Facets that part regions. */
+  /** \class FacetsType
+   * \brief Facets that part regions. */
   class FacetsType
   {
   public:

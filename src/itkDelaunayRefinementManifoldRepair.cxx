@@ -105,21 +105,26 @@ DelaunayRefinementManifoldRepair::Mend(IndexType vertex)
   this->FindCandidates();
   const std::vector<RegionType> regions = m_Star.GetRegions();
   std::vector<IndexType>        cells;
-  for (const CandidateType & candidate : m_Candidates)
+  const unsigned int            numberOfTurns = m_Angles.IsBounded() ? 2 : 1;
+  for (unsigned int turn = 0; turn < numberOfTurns; ++turn)
   {
-    // The vertex itself is quickly asked.
-    cells.clear();
-    for (const std::uint32_t number : candidate.cells)
+    for (const CandidateType & candidate : m_Candidates)
     {
-      m_Star.GetRegions()[number] = candidate.region;
-      cells.push_back(m_Star.GetCells()[number].index);
-    }
-    const bool isBetter = m_Star.CountBadPlaces() < numberBefore;
-    m_Star.GetRegions() = regions;
-    if (isBetter && this->MayChange(cells, candidate.region) && this->ComputeGain(cells, candidate.region) > 0)
-    {
-      this->Change(cells, candidate.region);
-      return OutcomeEnum::MENDED;
+      // The vertex itself is quickly asked.
+      cells.clear();
+      for (const std::uint32_t number : candidate.cells)
+      {
+        m_Star.GetRegions()[number] = candidate.region;
+        cells.push_back(m_Star.GetCells()[number].index);
+      }
+      const bool isBetter = m_Star.CountBadPlaces() < numberBefore;
+      m_Star.GetRegions() = regions;
+      if (isBetter && this->MayChange(cells, candidate.region, turn > 0) &&
+          this->ComputeGain(cells, candidate.region) > 0)
+      {
+        this->Change(cells, candidate.region);
+        return OutcomeEnum::MENDED;
+      }
     }
   }
   return OutcomeEnum::LEFT;
@@ -228,7 +233,7 @@ DelaunayRefinementManifoldRepair::ComputeGain(const std::vector<IndexType> & cel
 }
 
 bool
-DelaunayRefinementManifoldRepair::MayChange(const std::vector<IndexType> & cells, RegionType region)
+DelaunayRefinementManifoldRepair::MayChange(const std::vector<IndexType> & cells, RegionType region, bool maySlivers)
 {
   const auto & triangulation = m_Complex.GetTriangulation();
   for (const IndexType cell : cells)
@@ -259,11 +264,10 @@ DelaunayRefinementManifoldRepair::MayChange(const std::vector<IndexType> & cells
     });
     const RegionType own = m_Complex.GetRegion(cell);
     m_Complex.SetRegion(cell, region);
-    const auto p = m_Complex.GetPoints(cell);
-    const bool isSliver = m_Angles.ComputeBadness(p[0], p[1], p[2], p[3]) > 0.0;
-    const bool fires = isSliver || m_Rules.FiresR4(cell) || m_Rules.FiresCellSize(cell) || m_Rules.FiresR4Prime(cell);
+    const bool fires = m_Rules.FiresR4(cell) || m_Rules.FiresCellSize(cell) || m_Rules.FiresR4Prime(cell);
     m_Complex.SetRegion(cell, own);
-    return isAwayFromBox && !fires;
+    const auto p = m_Complex.GetPoints(cell);
+    return isAwayFromBox && !fires && (maySlivers || !(m_Angles.ComputeBadness(p[0], p[1], p[2], p[3]) > 0.0));
   });
 }
 

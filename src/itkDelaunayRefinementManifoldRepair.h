@@ -42,7 +42,7 @@ public:
   using IndexType = DelaunayRefinementComplex::IndexType;
   using RegionType = DelaunayRefinementComplex::RegionType;
 
-  /** No tetrahedron with a dihedral angle below \c smallestAngle (degrees) is taken inside. */
+  /** Tetrahedra with a dihedral angle below \c smallestAngle (degrees) are taken inside only if nothing else helps. */
   DelaunayRefinementManifoldRepair(const DelaunayRefinementOracle & oracle,
                                    const DelaunayRefinementRules &  rules,
                                    DelaunayRefinementComplex &      complex,
@@ -123,9 +123,10 @@ private:
   int
   ComputeGain(const std::vector<IndexType> & cells, RegionType region);
 
-  /** Whether the facets that would part regions may do so, and rules leave alone what would come inside. */
+  /** Whether the facets that would part regions may do so, and rules leave alone what would come inside; no slivers
+   * among that unless \c maySlivers is set. */
   bool
-  MayChange(const std::vector<IndexType> & cells, RegionType region);
+  MayChange(const std::vector<IndexType> & cells, RegionType region, bool maySlivers);
 
   bool
   MayPartRegions(IndexType cell, unsigned int facet) const;

@@ -51,8 +51,11 @@ constexpr unsigned int MostPlaces = 3;
 constexpr unsigned int NumberOfInsertionPasses = 2;
 constexpr unsigned int MostPasses = 60;
 
-/** So many passes without a change come before the last things are tried. */
+/** A pass is idle if it helps fewer slivers than this share; so many idle ones come before the last things are tried,
+ * for so many slivers at most: the bound is out of reach if there are more. */
+constexpr double       LeastShare = 0.05;
 constexpr unsigned int MostIdlePasses = 2;
+constexpr std::size_t  MostLastSlivers = 500;
 
 constexpr std::size_t TriesBetweenQuestions = 64;
 constexpr std::size_t CellsPerPiece = 4096;
@@ -73,7 +76,6 @@ DelaunayRefinementSliverRemoval::DelaunayRefinementSliverRemoval(const DelaunayR
   , m_Complex(complex)
   , m_Threads(threads)
   , m_Trial(parameters, oracle, rules, repair, complex)
-  , m_FreeLength(std::min(parameters.delta, parameters.cellSize))
 {}
 
 std::vector<DelaunayRefinementSliverRemoval::IndexType>
@@ -116,11 +118,15 @@ DelaunayRefinementSliverRemoval::Run(const std::function<bool()> & keepGoing)
     const PassEnum pass = i < NumberOfInsertionPasses            ? PassEnum::INSERT
                           : numberOfIdlePasses == MostIdlePasses ? PassEnum::LAST
                                                                  : PassEnum::MOVE;
-    bool           isIdle = pass != PassEnum::INSERT;
+    if (pass == PassEnum::LAST && slivers.size() > MostLastSlivers)
+    {
+      break;
+    }
+    std::size_t numberOfChanges = 0;
     m_Next.clear();
     for (const SliverType & sliver : slivers)
     {
-      if (++numberOfTries % TriesBetweenQuestions == 0 && !keepGoing())
+      if ((pass == PassEnum::LAST || ++numberOfTries % TriesBetweenQuestions == 0) && !keepGoing())
       {
         return isChanged;
       }
@@ -131,16 +137,19 @@ DelaunayRefinementSliverRemoval::Run(const std::function<bool()> & keepGoing)
       if (this->Mend(pass, sliver))
       {
         isChanged = true;
-        isIdle = false;
+        ++numberOfChanges;
       }
       else if (this->IsThere(sliver))
       {
         m_Next.push_back(sliver);
       }
     }
-    std::swap(slivers, m_Next);
+    const bool isIdle = pass != PassEnum::INSERT &&
+                        static_cast<double>(numberOfChanges) <= LeastShare * static_cast<double>(slivers.size());
     numberOfIdlePasses = isIdle ? numberOfIdlePasses + 1 : 0;
+    std::swap(slivers, m_Next);
   }
+  m_NumberOfLeft = slivers.size();
   return isChanged;
 }
 
@@ -193,7 +202,7 @@ DelaunayRefinementSliverRemoval::InsertFree(IndexType cell)
   {
     const PointType point = m_Complex.Round(i == 0 ? center : this->MoveAtRandom(center, reach));
     if (m_Oracle.Classify(point) == m_Complex.GetRegion(cell) &&
-        this->Insert(point, VertexKind::FREE, 0.0, NewFreeSpacing * m_FreeLength, cell))
+        this->Insert(point, VertexKind::FREE, 0.0, NewFreeSpacing * this->GetFreeLength(point), cell))
     {
       return true;
     }
@@ -315,8 +324,8 @@ DelaunayRefinementSliverRemoval::ProposePlace(IndexType         vertex,
   place = this->MoveAtRandom(old, step);
   if (!m_Complex.IsFeature(vertex))
   {
-    spacing = std::min(FreeSpacing * m_FreeLength, m_Trial.GetShortestEdge());
     place = m_Complex.Round(place);
+    spacing = std::min(FreeSpacing * this->GetFreeLength(place), m_Trial.GetShortestEdge());
     return true;
   }
   // Along the surface: where the normal that passes the place meets it.

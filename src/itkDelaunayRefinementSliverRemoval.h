@@ -64,6 +64,13 @@ public:
   std::vector<IndexType>
   FindSlivers() const;
 
+  /** Slivers that the last run left. */
+  std::size_t
+  GetNumberOfLeft() const
+  {
+    return m_NumberOfLeft;
+  }
+
   /** Of all runs. */
   /** @ITKStartGrouping */
   std::size_t
@@ -139,6 +146,13 @@ private:
   void
   QueueSlivers();
 
+  /** Spacings of free vertices are shares of it. */
+  double
+  GetFreeLength(const PointType & point) const
+  {
+    return std::min(m_LocalDelta.GetAt(point), m_Parameters.cellSize);
+  }
+
   PointType
   MoveAtRandom(const PointType & from, double distance);
 
@@ -149,10 +163,10 @@ private:
   DelaunayRefinementComplex &          m_Complex;
   DelaunayRefinementThreads &          m_Threads;
   DelaunayRefinementVertexTrial        m_Trial;
-  double                               m_FreeLength; // lengths at free vertices are shares of it
   std::vector<SliverType>              m_Next{};
   std::vector<PlaceType>               m_Places{};
   std::mt19937_64                      m_Random{};
+  std::size_t                          m_NumberOfLeft{ 0 };
   std::size_t                          m_NumberOfInsertions{ 0 };
   std::size_t                          m_NumberOfMoves{ 0 };
 };

@@ -91,10 +91,22 @@ DelaunayRefinementSurfaceSample::Certify(std::vector<PointType> &      points,
     const std::vector<PointType> all = m_Grid.GetPoints();
     forgotten = this->MakeGrid();
     m_Grid = this->MakeGrid();
+    // A vertex may have come back to where it was: each that is gone is one less.
+    std::vector<char> isFound(m_Forgotten.size(), 0);
     for (const PointType & point : all)
     {
-      const bool isForgotten = std::binary_search(m_Forgotten.begin(), m_Forgotten.end(), point);
+      auto i =
+        static_cast<std::size_t>(std::lower_bound(m_Forgotten.begin(), m_Forgotten.end(), point) - m_Forgotten.begin());
+      while (i < m_Forgotten.size() && m_Forgotten[i] == point && isFound[i])
+      {
+        ++i;
+      }
+      const bool isForgotten = i < m_Forgotten.size() && m_Forgotten[i] == point;
       (isForgotten ? forgotten : m_Grid).Add(point);
+      if (isForgotten)
+      {
+        isFound[i] = 1;
+      }
     }
     m_Forgotten.clear();
   }

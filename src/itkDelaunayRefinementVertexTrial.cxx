@@ -213,7 +213,14 @@ DelaunayRefinementVertexTrial::FindShapes(const PointType & point, bool isFree, 
       shape.squaredRadius = balls.GetSignedSquaredRadius(i);
       if (!(shape.squaredRadius > 0.0))
       {
-        const auto ball = Geometry::ComputeCircumsphere(point, a, b, c);
+        // In the order that the cell would have, so that rounding is the same.
+        const auto &             facet = m_Star.boundary[first + i];
+        std::array<PointType, 4> p;
+        for (unsigned int corner = 0; corner < 4; ++corner)
+        {
+          p[corner] = corner == facet.slot ? point : m_Complex.GetPoint(facet.vertices[corner]);
+        }
+        const auto ball = Geometry::ComputeCircumsphere(p[0], p[1], p[2], p[3]);
         shape.center = ball.center;
         shape.squaredRadius = ball.squaredRadius;
       }
@@ -237,20 +244,29 @@ DelaunayRefinementVertexTrial::FindShapes(const PointType & point, bool isFree, 
   return true;
 }
 
-void
+bool
 DelaunayRefinementVertexTrial::AddFacets(IndexType                                      cell,
                                          const DelaunayRefinementArray<std::uint32_t> & marks,
                                          std::uint32_t                                  mark,
-                                         FacetsType &                                   facets) const
+                                         FacetsType &                                   facets,
+                                         bool                                           areNew) const
 {
   const auto & own = m_Complex.GetTriangulation().GetCell(cell);
   for (unsigned int i = 0; i < 4; ++i)
   {
     if (marks[own.neighbors[i]] != mark)
     {
-      facets.Add(GetFacet(own.vertices, i), m_Complex.GetRegion(cell), m_Complex.GetRegion(own.neighbors[i]));
+      const auto       facet = GetFacet(own.vertices, i);
+      const RegionType region = m_Complex.GetRegion(cell);
+      const RegionType beyond = m_Complex.GetRegion(own.neighbors[i]);
+      if (areNew && region != beyond && !this->MayPartRegions(facet))
+      {
+        return false;
+      }
+      facets.Add(facet, region, beyond);
     }
   }
+  return true;
 }
 
 bool
@@ -291,14 +307,14 @@ DelaunayRefinementVertexTrial::KeepsBoundary(const PointType & point)
   {
     if (m_HoleMarks[cell] != m_HoleMark)
     {
-      this->AddFacets(cell, m_HoleMarks, m_HoleMark, m_FacetsBefore);
+      this->AddFacets(cell, m_HoleMarks, m_HoleMark, m_FacetsBefore, false);
     }
   }
   for (const auto & [cell, generation] : m_Hole)
   {
-    if (m_CavityMarks[cell] != m_CavityMark)
+    if (m_CavityMarks[cell] != m_CavityMark && !this->AddFacets(cell, m_CavityMarks, m_CavityMark, m_FacetsAfter, true))
     {
-      this->AddFacets(cell, m_CavityMarks, m_CavityMark, m_FacetsAfter);
+      return false;
     }
   }
   return m_Topology.AreEqual(m_FacetsBefore, m_FacetsAfter, vertex, m_Vertex == None);
@@ -307,12 +323,12 @@ DelaunayRefinementVertexTrial::KeepsBoundary(const PointType & point)
 bool
 DelaunayRefinementVertexTrial::IsHarmless(VertexKind kind)
 {
-  if (kind == VertexKind::FREE)
+  if (kind == VertexKind::FREE && m_Vertex == None)
   {
-    // All cells are in one region, as they were, and small enough.
+    // All cells are in one region, as they were, and small enough; dual edges of facets beside them became shorter.
     return std::none_of(m_Cells.begin(), m_Cells.end(), [this](IndexType cell) { return m_Rules.FiresR2(cell); });
   }
-  return !this->FiresAny() && this->IsManifoldWhereAsked();
+  return !this->FiresAny() && (kind == VertexKind::FREE || this->IsManifoldWhereAsked());
 }
 
 bool

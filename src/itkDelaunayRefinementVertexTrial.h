@@ -215,12 +215,14 @@ private:
            this->MayPartRegions(m_Complex.GetPoint(vertices[0]), vertices[1], vertices[2]);
   }
 
-  /** Adds the facets of a cell, but for those beyond which is a cell with a mark. */
-  void
+  /** Adds the facets of a cell, but for those beyond which is a cell with a mark; false if they are to be \c areNew and
+   * one may not part regions. */
+  bool
   AddFacets(IndexType                                      cell,
             const DelaunayRefinementArray<std::uint32_t> & marks,
             std::uint32_t                                  mark,
-            FacetsType &                                   facets) const;
+            FacetsType &                                   facets,
+            bool                                           areNew) const;
 
   static constexpr IndexType None = DelaunayRefinementComplex::None;
 

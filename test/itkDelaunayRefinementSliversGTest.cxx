@@ -250,6 +250,42 @@ TEST(DelaunayRefinementLocalTopology, DisksAreNoTube)
   EXPECT_FALSE(AreEqual(tube, disks));
 }
 
+TEST(DelaunayRefinementLocalTopology, HandlesNeitherComeNorGo)
+{
+  // The torus with seven vertices, less a triangle, and a disk with the same rim through the same vertices.
+  std::vector<std::array<LocalTopology::IndexType, 3>> torus;
+  for (LocalTopology::IndexType i = 0; i < 7; ++i)
+  {
+    if (i > 0)
+    {
+      torus.push_back({ i, (i + 1) % 7, (i + 3) % 7 });
+    }
+    torus.push_back({ i, (i + 2) % 7, (i + 3) % 7 });
+  }
+  const std::vector<std::array<LocalTopology::IndexType, 3>> disk{ { 1, 3, 2 }, { 3, 0, 2 }, { 1, 2, 4 },
+                                                                   { 2, 0, 4 }, { 1, 4, 5 }, { 4, 0, 5 },
+                                                                   { 0, 1, 6 }, { 1, 5, 6 }, { 5, 0, 6 } };
+  EXPECT_TRUE(AreEqual(MakeFacets(torus), MakeFacets(torus)));
+  EXPECT_TRUE(AreEqual(MakeFacets(disk), MakeFacets(disk)));
+  EXPECT_FALSE(AreEqual(MakeFacets(torus), MakeFacets(disk)));
+  EXPECT_FALSE(AreEqual(MakeFacets(disk), MakeFacets(torus)));
+}
+
+TEST(DelaunayRefinementLocalTopology, OutsideCountsToo)
+{
+  // A tetrahedron on both sides of an interface that is left to outside: each region keeps its topology, outside does
+  // not.
+  FacetsType before;
+  before.Add({ 1, 2, 3 }, 1, 2);
+  before.Add({ 1, 2, 4 }, 1, 2);
+  FacetsType after;
+  after.Add({ 1, 2, 3 }, 0, 2);
+  after.Add({ 1, 2, 4 }, 0, 2);
+  after.Add({ 3, 4, 1 }, 1, 0);
+  after.Add({ 3, 4, 2 }, 1, 0);
+  EXPECT_FALSE(AreEqual(before, after));
+}
+
 TEST(DelaunayRefinementLocalTopology, SpheresNeitherComeNorGo)
 {
   const FacetsType island = MakeFacets({ { 1, 2, 3 }, { 1, 2, 4 }, { 2, 3, 4 }, { 3, 1, 4 } });
