@@ -328,19 +328,21 @@ DelaunayRefinementSliverRemoval::ProposePlace(IndexType         vertex,
     spacing = std::min(FreeSpacing * this->GetFreeLength(place), m_Trial.GetShortestEdge());
     return true;
   }
-  // Along the surface: where the normal that passes the place meets it.
+  // Along the surface: where the normal that passes the place meets it. Clefts that the mesh closes have none.
   const PointType & normal = m_Trial.GetNormal();
   const PointType   offset = Geometry::Subtract(place, old);
   const PointType   tangent = Geometry::AddScaled(offset, -Geometry::Dot(offset, normal), normal);
   const double      length = std::sqrt(Geometry::Dot(tangent, tangent));
   const PointType   middle = Geometry::AddScaled(old, length > 0.0 ? step / length : 0.0, tangent);
-  PointType         crossing;
-  if (!m_Oracle.FindFirstCrossing(
-        Geometry::AddScaled(middle, step, normal), Geometry::AddScaled(middle, -step, normal), crossing))
+  const bool        isFound = normal == PointType{} ? m_Oracle.FindClosestSurfacePoint(middle, step, place)
+                                                    : m_Oracle.FindFirstCrossing(Geometry::AddScaled(middle, step, normal),
+                                                                          Geometry::AddScaled(middle, -step, normal),
+                                                                          place);
+  if (!isFound)
   {
     return false;
   }
-  place = m_Complex.Round(crossing);
+  place = m_Complex.Round(place);
   spacing = std::min(FeatureSpacing * m_LocalDelta.GetAt(place), m_Trial.GetNearestFeature());
   return true;
 }

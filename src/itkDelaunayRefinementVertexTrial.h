@@ -74,7 +74,7 @@ public:
   TakeOut(IndexType vertex, bool keepRegions);
 
   /** Of the vertex that was taken out: its shortest edge, the one to the nearest feature vertex, and the normal of the
-   * boundary. */
+   * boundary, 0 if it is not on one. */
   /** @ITKStartGrouping */
   double
   GetShortestEdge() const

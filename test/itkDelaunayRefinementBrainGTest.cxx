@@ -98,7 +98,8 @@ TEST_F(DelaunayRefinementBrain, MeshWithoutSlivers)
   const CheckedMesh mended = MeshAt(6.0, 15.0);
   EXPECT_GE(ComputeDihedralAngles(mended).minimum, 15.0);
   ExpectManifoldBoundary(mended);
-  EXPECT_GE(ComputeDihedralAngles(MeshAt(3.0, 12.0)).minimum, 12.0);
+  // With slivers between vertices of a cleft that is closed in the mesh.
+  EXPECT_GE(ComputeDihedralAngles(MeshAt(2.0, 12.0)).minimum, 12.0);
 }
 
 TEST_F(DelaunayRefinementBrain, NoRuleFiresAnyMore)
