@@ -744,11 +744,6 @@ DelaunayRefinementEngine::Impl::MoveVertex(IndexType vertex)
     return;
   }
   m_Complex->Remove(vertex);
-  if (kind == VertexKind::FEATURE)
-  {
-    m_Sample->Forget(old);
-    m_Sample->Add(m_Complex->Round(moved));
-  }
   this->ExamineNewCells();
   const IndexType hint = m_Complex->GetNewCells().front();
   if (this->Insert(RefinementRule::SHAPE, m_Complex->Round(moved), kind, delta, hint) ==
@@ -756,6 +751,11 @@ DelaunayRefinementEngine::Impl::MoveVertex(IndexType vertex)
   {
     // Somebody is there already.
     this->Insert(RefinementRule::SHAPE, old, kind, delta, m_Complex->GetTriangulation().GetCellOfVertex(1));
+  }
+  else if (kind == VertexKind::FEATURE)
+  {
+    m_Sample->Forget(old);
+    m_Sample->Add(m_Complex->Round(moved));
   }
 }
 

@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "itkDelaunayRefinementLocalTopology.h"
 
+#include "itkDelaunayRefinementDisjointSets.h"
+
 #include <algorithm>
 
 namespace itk
@@ -36,17 +38,6 @@ DelaunayRefinementLocalTopology::Normalize(FacetsType & facets)
   list.erase(std::unique(list.begin(), list.end(), isSame), list.end());
 }
 
-std::uint32_t
-DelaunayRefinementLocalTopology::FindRoot(std::vector<std::uint32_t> & parents, std::uint32_t item)
-{
-  while (parents[item] != item)
-  {
-    parents[item] = parents[parents[item]];
-    item = parents[item];
-  }
-  return item;
-}
-
 bool
 DelaunayRefinementLocalTopology::Describe(const FacetsType & facets, RegionType region, SurfaceType & surface)
 {
@@ -59,17 +50,10 @@ DelaunayRefinementLocalTopology::Describe(const FacetsType & facets, RegionType 
   surface.parts.clear();
   surface.fans.clear();
   m_EdgesOfFacets.clear();
-  m_PartOfFacet.resize(list.size());
-  m_FanOfCorner.resize(3 * list.size());
   m_Parts.assign(list.size(), { { None, None }, 0 });
   m_Fans.assign(3 * list.size(), { None, { None, None } });
   for (std::uint32_t i = 0; i < list.size(); ++i)
   {
-    m_PartOfFacet[i] = i;
-    for (std::uint32_t j = 0; j < 3; ++j)
-    {
-      m_FanOfCorner[3 * i + j] = 3 * i + j;
-    }
     if (isOfRegion(i))
     {
       const auto & v = list[i].vertices;
@@ -86,9 +70,8 @@ DelaunayRefinementLocalTopology::Describe(const FacetsType & facets, RegionType 
   const auto isSame = [this](std::size_t i, std::size_t j) {
     return j < m_EdgesOfFacets.size() && m_EdgesOfFacets[i].edge == m_EdgesOfFacets[j].edge;
   };
-  const auto join = [](std::vector<std::uint32_t> & parents, std::uint32_t a, std::uint32_t b) {
-    parents[FindRoot(parents, a)] = FindRoot(parents, b);
-  };
+  DelaunayRefinementDisjointSets parts(list.size());
+  DelaunayRefinementDisjointSets fans(3 * list.size());
   for (std::size_t i = 0; i < m_EdgesOfFacets.size();)
   {
     const std::size_t number = isSame(i, i + 1) ? 2 : 1;
@@ -101,9 +84,9 @@ DelaunayRefinementLocalTopology::Describe(const FacetsType & facets, RegionType 
     {
       const auto & one = m_EdgesOfFacets[i].corners;
       const auto & other = m_EdgesOfFacets[i + 1].corners;
-      join(m_PartOfFacet, one[0] / 3, other[0] / 3);
-      join(m_FanOfCorner, one[0], other[0]);
-      join(m_FanOfCorner, one[1], other[1]);
+      parts.Join(one[0] / 3, other[0] / 3);
+      fans.Join(one[0], other[0]);
+      fans.Join(one[1], other[1]);
     }
     i += number;
   }
@@ -112,7 +95,7 @@ DelaunayRefinementLocalTopology::Describe(const FacetsType & facets, RegionType 
   for (std::size_t i = 0; i < m_EdgesOfFacets.size();)
   {
     const auto &        own = m_EdgesOfFacets[i];
-    const std::uint32_t part = FindRoot(m_PartOfFacet, own.corners[0] / 3);
+    const std::uint32_t part = parts.Find(own.corners[0] / 3);
     const bool          isRim = !isSame(i, i + 1);
     --m_Parts[part].eulerCharacteristic;
     if (isRim)
@@ -120,7 +103,7 @@ DelaunayRefinementLocalTopology::Describe(const FacetsType & facets, RegionType 
       m_Parts[part].name = std::min(m_Parts[part].name, own.edge);
       for (unsigned int end = 0; end < 2; ++end)
       {
-        auto & ends = m_Fans[FindRoot(m_FanOfCorner, own.corners[end])].ends;
+        auto & ends = m_Fans[fans.Find(own.corners[end])].ends;
         ends[ends[0] == None ? 0 : 1] = own.edge[1 - end];
       }
     }
@@ -132,11 +115,11 @@ DelaunayRefinementLocalTopology::Describe(const FacetsType & facets, RegionType 
     {
       continue;
     }
-    const std::uint32_t part = FindRoot(m_PartOfFacet, i);
+    const std::uint32_t part = parts.Find(i);
     ++m_Parts[part].eulerCharacteristic;
     for (std::uint32_t corner = 3 * i; corner < 3 * i + 3; ++corner)
     {
-      const std::uint32_t fan = FindRoot(m_FanOfCorner, corner);
+      const std::uint32_t fan = fans.Find(corner);
       if (fan == corner)
       {
         ++m_Parts[part].eulerCharacteristic;
@@ -148,7 +131,7 @@ DelaunayRefinementLocalTopology::Describe(const FacetsType & facets, RegionType 
   }
   for (std::uint32_t i = 0; i < list.size(); ++i)
   {
-    if (m_PartOfFacet[i] == i && isOfRegion(i))
+    if (parts.Find(i) == i && isOfRegion(i))
     {
       surface.parts.push_back(m_Parts[i]);
     }
@@ -158,7 +141,7 @@ DelaunayRefinementLocalTopology::Describe(const FacetsType & facets, RegionType 
     if (!isSame(i, i + 1) && (i == 0 || !isSame(i, i - 1)))
     {
       const auto & own = m_EdgesOfFacets[i];
-      surface.rim.emplace_back(own.edge, m_Parts[FindRoot(m_PartOfFacet, own.corners[0] / 3)].name);
+      surface.rim.emplace_back(own.edge, m_Parts[parts.Find(own.corners[0] / 3)].name);
     }
   }
   std::sort(surface.parts.begin(), surface.parts.end());

@@ -153,15 +153,10 @@ private:
   static bool
   TakeOut(IndexType vertex, std::vector<FanType> & fans);
 
-  static std::uint32_t
-  FindRoot(std::vector<std::uint32_t> & parents, std::uint32_t item);
-
   SurfaceType                  m_Before{};
   SurfaceType                  m_After{};
   std::vector<RegionType>      m_Regions{};
   std::vector<EdgeOfFacetType> m_EdgesOfFacets{};
-  std::vector<std::uint32_t>   m_PartOfFacet{};
-  std::vector<std::uint32_t>   m_FanOfCorner{};
   std::vector<PartType>        m_Parts{};
   std::vector<FanType>         m_Fans{};
   std::vector<IndexType>       m_VerticesToAsk{};

@@ -63,6 +63,30 @@ DelaunayRefinementSurfaceSample::HasChanged(const DelaunayRefinementSurfacePatch
           forgotten.HasPointWithin(patch.center, patch.radius + CoverageShare * m_LocalDelta.GetMaximum()));
 }
 
+DelaunayRefinementPointGrid
+DelaunayRefinementSurfaceSample::TakeOutForgotten()
+{
+  if (m_Forgotten.empty())
+  {
+    return {};
+  }
+  const std::vector<PointType> all = m_Grid.GetPoints();
+  DelaunayRefinementPointGrid  forgotten = this->MakeGrid();
+  m_Grid = this->MakeGrid();
+  for (const PointType & point : all)
+  {
+    // A vertex may have come back to where it was: each that is gone is one less.
+    const auto found = m_Forgotten.find(point);
+    (found != m_Forgotten.end() ? forgotten : m_Grid).Add(point);
+    if (found != m_Forgotten.end())
+    {
+      m_Forgotten.erase(found);
+    }
+  }
+  m_Forgotten.clear();
+  return forgotten;
+}
+
 bool
 DelaunayRefinementSurfaceSample::MayHaveSurfaceWithin(const PointType & point, double radius) const
 {
@@ -83,33 +107,8 @@ DelaunayRefinementSurfaceSample::Certify(std::vector<PointType> &      points,
   using PatchesType = DelaunayRefinementSurfacePatches;
   using SamplerType = DelaunayRefinementBlockSampler;
 
-  PatchesType                 roots = m_Oracle.GetSurfacePatches();
-  DelaunayRefinementPointGrid forgotten;
-  if (!m_Forgotten.empty())
-  {
-    std::sort(m_Forgotten.begin(), m_Forgotten.end());
-    const std::vector<PointType> all = m_Grid.GetPoints();
-    forgotten = this->MakeGrid();
-    m_Grid = this->MakeGrid();
-    // A vertex may have come back to where it was: each that is gone is one less.
-    std::vector<char> isFound(m_Forgotten.size(), 0);
-    for (const PointType & point : all)
-    {
-      auto i =
-        static_cast<std::size_t>(std::lower_bound(m_Forgotten.begin(), m_Forgotten.end(), point) - m_Forgotten.begin());
-      while (i < m_Forgotten.size() && m_Forgotten[i] == point && isFound[i])
-      {
-        ++i;
-      }
-      const bool isForgotten = i < m_Forgotten.size() && m_Forgotten[i] == point;
-      (isForgotten ? forgotten : m_Grid).Add(point);
-      if (isForgotten)
-      {
-        isFound[i] = 1;
-      }
-    }
-    m_Forgotten.clear();
-  }
+  PatchesType                       roots = m_Oracle.GetSurfacePatches();
+  const DelaunayRefinementPointGrid forgotten = this->TakeOutForgotten();
   if (m_LocalDelta.IsSettled())
   {
     PatchesType changed(roots.GetOrigin());

@@ -22,6 +22,8 @@
 #include "itkDelaunayRefinementPointGrid.h"
 #include "itkDelaunayRefinementThreads.h"
 
+#include <set>
+
 namespace itk
 {
 /** \class DelaunayRefinementSurfaceSample
@@ -55,7 +57,7 @@ public:
   void
   Forget(const PointType & point)
   {
-    m_Forgotten.push_back(point);
+    m_Forgotten.insert(point);
   }
 
   /** Appends the points that R1 inserts, until all of the surface is covered; always the same in the same order,
@@ -82,6 +84,10 @@ private:
   HasChanged(const DelaunayRefinementSurfacePatches::PatchType & patch,
              const DelaunayRefinementPointGrid &                 forgotten) const;
 
+  /** Takes the vertices that are gone out of the grid, into one of their own; that one is empty if there are none. */
+  DelaunayRefinementPointGrid
+  TakeOutForgotten();
+
   /** A grid for the surface. */
   DelaunayRefinementPointGrid
   MakeGrid() const;
@@ -90,7 +96,7 @@ private:
   const DelaunayRefinementLocalDelta & m_LocalDelta;
   bool                                 m_RoundToFloat;
   DelaunayRefinementPointGrid          m_Grid;
-  std::vector<PointType>               m_Forgotten{};
+  std::multiset<PointType>             m_Forgotten{};
 };
 } // end namespace itk
 

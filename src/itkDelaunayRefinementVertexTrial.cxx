@@ -385,6 +385,7 @@ DelaunayRefinementVertexTrial::Insert(const PointType & point, VertexKind kind, 
 bool
 DelaunayRefinementVertexTrial::TakeOut(IndexType vertex, bool keepRegions)
 {
+  this->CloseHole();
   m_Vertex = vertex;
   m_OldPoint = m_Complex.GetPoint(vertex);
   m_OldDelta = m_Complex.GetDelta(vertex);
@@ -404,12 +405,8 @@ DelaunayRefinementVertexTrial::DescribeStar(bool keepRegions)
   m_VertexStar.Find(m_Complex, m_Vertex);
   double squaredShortest = std::numeric_limits<double>::infinity();
   double squaredNearest = std::numeric_limits<double>::infinity();
-  m_StarFacets.Clear();
-  m_KeptRegions.clear();
-  m_StarBadness = 0.0;
   m_Normal = {};
   m_Region = m_VertexStar.GetRegions().front();
-  m_IsUniform = true;
   RegionType other = m_Region;
   for (const auto & cellOfStar : m_VertexStar.GetCells())
   {
