@@ -113,11 +113,19 @@ DelaunayRefinementRules::GetDeltaOfFeatures(const std::array<IndexType, 4> & ver
 }
 
 bool
+DelaunayRefinementRules::HasFeatureVertex(IndexType cell) const
+{
+  const auto & vertices = m_Complex.GetTriangulation().GetCell(cell).vertices;
+  return std::any_of(
+    vertices.begin(), vertices.end(), [this](IndexType vertex) { return m_Complex.IsFeature(vertex); });
+}
+
+bool
 DelaunayRefinementRules::MayFireR2(IndexType cell) const
 {
   const double delta = m_LocalDelta.GetMaximum();
-  return (m_Parameters.refineOutside || m_Complex.GetRegion(cell) != 0) &&
-         m_Complex.GetSquaredRadius(cell) >= 4.0 * delta * delta * SquaredMargin;
+  return m_Complex.GetSquaredRadius(cell) >= 4.0 * delta * delta * SquaredMargin &&
+         (m_Parameters.refineOutside || (m_Complex.GetRegion(cell) != 0 && this->HasFeatureVertex(cell)));
 }
 
 bool
@@ -127,12 +135,9 @@ DelaunayRefinementRules::FiresR2(IndexType cell) const
   {
     return false;
   }
-  for (const IndexType vertex : m_Complex.GetTriangulation().GetCell(cell).vertices)
+  if (this->HasFeatureVertex(cell))
   {
-    if (m_Complex.IsFeature(vertex))
-    {
-      return true;
-    }
+    return true;
   }
   const auto   ball = m_Complex.GetBall(cell);
   const double radius = std::sqrt(ball.squaredRadius);

@@ -112,6 +112,9 @@ public:
   Fires(IndexType cell) const;
 
 private:
+  bool
+  HasFeatureVertex(IndexType cell) const;
+
   /** The largest delta of the feature vertices of a cell, one left out; the largest of all if there is none. Where
    * components with different deltas meet, the facets' edges see to the transition. */
   double
