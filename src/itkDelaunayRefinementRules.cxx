@@ -145,25 +145,27 @@ DelaunayRefinementRules::FiresR2(IndexType cell) const
 }
 
 double
-DelaunayRefinementRules::ComputeR3Threshold(IndexType cell, unsigned int i) const
+DelaunayRefinementRules::ComputeSquaredR3Threshold(IndexType cell, unsigned int i) const
 {
   const auto & vertices = m_Complex.GetTriangulation().GetCell(cell).vertices;
-  const double delta = this->GetDeltaOfFeatures(vertices, i);
   const auto   a = vertices[(i + 1) & 3];
   const auto   b = vertices[(i + 2) & 3];
   const auto   c = vertices[(i + 3) & 3];
   const double squaredEdge = std::min({ Geometry::SquaredDistance(m_Complex.GetPoint(a), m_Complex.GetPoint(b)),
                                         Geometry::SquaredDistance(m_Complex.GetPoint(b), m_Complex.GetPoint(c)),
                                         Geometry::SquaredDistance(m_Complex.GetPoint(c), m_Complex.GetPoint(a)) });
-  const double threshold = std::sqrt(std::min(delta * delta, squaredEdge) * SquaredMargin);
-  if (m_Parameters.radiusEdgeRatioBound >= 2.0 &&
-      !(m_Complex.IsFeature(a) && m_Complex.IsFeature(b) && m_Complex.IsFeature(c)))
-  {
-    return std::min(threshold, ShortestShare * std::min(delta, m_Parameters.cellSize));
-  }
+  const bool   isOnSurface = m_Complex.IsFeature(a) && m_Complex.IsFeature(b) && m_Complex.IsFeature(c);
+  const bool   isMixed = m_Parameters.radiusEdgeRatioBound >= 2.0 && !isOnSurface;
   // R1 leaves no surface ball larger than delta, with room for vertices that were moved by a little.
   const double largestBall = LargestBallShare * m_LocalDelta.GetMaximum();
-  return squaredEdge > largestBall * largestBall ? std::numeric_limits<double>::infinity() : threshold;
+  if (!isMixed && squaredEdge > largestBall * largestBall)
+  {
+    return std::numeric_limits<double>::infinity();
+  }
+  const double delta = this->GetDeltaOfFeatures(vertices, i);
+  const double squaredThreshold = std::min(delta * delta, squaredEdge) * SquaredMargin;
+  const double shortest = ShortestShare * std::min(delta, m_Parameters.cellSize);
+  return isMixed ? std::min(squaredThreshold, shortest * shortest) : squaredThreshold;
 }
 
 bool
@@ -171,13 +173,10 @@ DelaunayRefinementRules::MayFireR3(IndexType cell, unsigned int i) const
 {
   const auto &    triangulation = m_Complex.GetTriangulation();
   const IndexType neighbor = triangulation.GetCell(cell).neighbors[i];
-  if (m_Complex.GetRegion(cell) == m_Complex.GetRegion(neighbor) || triangulation.IsInfinite(cell) ||
-      triangulation.IsInfinite(neighbor))
-  {
-    return false;
-  }
-  const double threshold = this->ComputeR3Threshold(cell, i);
-  return std::max(m_Complex.GetSquaredRadius(cell), m_Complex.GetSquaredRadius(neighbor)) >= threshold * threshold;
+  return m_Complex.GetRegion(cell) != m_Complex.GetRegion(neighbor) && !triangulation.IsInfinite(cell) &&
+         !triangulation.IsInfinite(neighbor) &&
+         std::max(m_Complex.GetSquaredRadius(cell), m_Complex.GetSquaredRadius(neighbor)) >=
+           this->ComputeSquaredR3Threshold(cell, i);
 }
 
 bool
@@ -188,7 +187,7 @@ DelaunayRefinementRules::FiresR3(IndexType cell, unsigned int i, PointType & cen
   const PointType from = m_Complex.GetCircumcenter(cell);
   const PointType to = m_Complex.GetCircumcenter(neighbor);
   const PointType vertex = m_Complex.GetPoint(triangulation.GetCell(cell).vertices[(i + 1) & 3]);
-  const double    threshold = this->ComputeR3Threshold(cell, i);
+  const double    squaredThreshold = this->ComputeSquaredR3Threshold(cell, i);
 
   // Along the dual edge the squared distance to the facet's vertices is a parabola: s^2 |d|^2 + 2 s (d . w) + |w|^2.
   const PointType direction = Geometry::Subtract(to, from);
@@ -200,7 +199,7 @@ DelaunayRefinementRules::FiresR3(IndexType cell, unsigned int i, PointType & cen
   }
   const double lowest = -Geometry::Dot(direction, w) / squaredLength;
   const double squaredAtLowest = Geometry::Dot(w, w) - lowest * lowest * squaredLength;
-  const double room = threshold * threshold - squaredAtLowest;
+  const double room = squaredThreshold - squaredAtLowest;
 
   if (!(room > 0.0))
   {
@@ -211,7 +210,7 @@ DelaunayRefinementRules::FiresR3(IndexType cell, unsigned int i, PointType & cen
   // Only the parts of the dual edge with radii of at least the threshold matter, from both ends inwards.
   const double half = std::sqrt(room / squaredLength);
   const double ends[2] = { std::clamp(lowest - half, 0.0, 1.0), std::clamp(lowest + half, 0.0, 1.0) };
-  double       largest = threshold * threshold;
+  double       largest = squaredThreshold;
   bool         fires = false;
   for (int side = 0; side < 2; ++side)
   {

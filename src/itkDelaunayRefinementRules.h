@@ -120,9 +120,9 @@ private:
   double
   GetDeltaOfFeatures(const std::array<IndexType, 4> & vertices, unsigned int leftOut) const;
 
-  /** Surface balls of a facet with at least this radius make R3 fire; infinity if none can be so large. */
+  /** Surface balls of a facet with at least this squared radius make R3 fire; infinity if none can be so large. */
   double
-  ComputeR3Threshold(IndexType cell, unsigned int i) const;
+  ComputeSquaredR3Threshold(IndexType cell, unsigned int i) const;
 
   /** A surface point between two points of different regions. */
   void

@@ -336,48 +336,77 @@ DelaunayRefinementTriangulation::FindCavity(const TDomain & domain,
                                             StarType &      star,
                                             ScratchType &   scratch) const
 {
+  // Processors can't tell which cells are in conflict: what is found is written down either way, and kept by counting.
   using MarkEnum = ScratchType::MarkEnum;
   scratch.cellMarks.resize(m_Cells.size(), MarkEnum::NONE);
   MarkEnum * const       marks = scratch.cellMarks.data();
   const CellType * const cells = m_Cells.data();
   const PointType        point = star.point;
+  std::size_t            numberIn = 1;
+  std::size_t            numberSeen = 1;
   bool                   mayChangeAll = true;
-  star.boundary.clear();
+  star.cavity.resize(std::max(star.cavity.capacity(), ScratchType::LeastRoom));
+  scratch.seen.resize(std::max(scratch.seen.capacity(), ScratchType::LeastRoom));
+  scratch.seen[0] = start;
   marks[start] = MarkEnum::IN;
-  for (std::size_t i = 0; i < star.cavity.size() && mayChangeAll; ++i)
+  for (std::size_t i = 0; i < numberIn && mayChangeAll; ++i)
   {
-    const IndexType cell = star.cavity[i];
-    for (unsigned int slot = 0; slot < 4; ++slot)
+    if (star.cavity.size() < numberIn + 4)
     {
-      const IndexType neighbor = cells[cell].neighbors[slot];
-      if (marks[neighbor] == MarkEnum::IN)
+      star.cavity.resize(2 * star.cavity.size());
+    }
+    if (scratch.seen.size() < numberSeen + 4)
+    {
+      scratch.seen.resize(2 * scratch.seen.size());
+    }
+    for (const IndexType neighbor : cells[star.cavity[i]].neighbors)
+    {
+      if (marks[neighbor] != MarkEnum::NONE)
       {
         continue;
       }
-      if (marks[neighbor] == MarkEnum::NONE)
+      const bool isIn = this->IsInConflict(neighbor, point);
+      mayChangeAll = mayChangeAll && (!isIn || domain.MayChange(cells[neighbor]));
+      marks[neighbor] = isIn ? MarkEnum::IN : MarkEnum::OUT;
+      scratch.seen[numberSeen++] = neighbor;
+      star.cavity[numberIn] = neighbor;
+      numberIn += isIn ? 1 : 0;
+      for (const IndexType next : cells[isIn ? neighbor : start].neighbors)
       {
-        if (this->IsInConflict(neighbor, point))
-        {
-          if (!domain.MayChange(cells[neighbor]))
-          {
-            mayChangeAll = false;
-            break;
-          }
-          marks[neighbor] = MarkEnum::IN;
-          star.cavity.push_back(neighbor);
-          for (const IndexType next : cells[neighbor].neighbors)
-          {
-            Prefetch(&cells[next]);
-          }
-          continue;
-        }
-        marks[neighbor] = MarkEnum::OUT;
+        Prefetch(&cells[next]);
       }
-      this->AddBoundary(cell, slot, star);
     }
   }
-  scratch.ClearMarks(star);
+  star.cavity.resize(numberIn);
+  if (mayChangeAll)
+  {
+    this->FindBoundary(star, scratch);
+  }
+  scratch.seen.resize(numberSeen);
+  scratch.ClearMarks(scratch.seen);
   return mayChangeAll;
+}
+
+void
+DelaunayRefinementTriangulation::FindBoundary(StarType & star, ScratchType & scratch) const
+{
+  const auto * const marks = scratch.cellMarks.data();
+  scratch.facets.resize(4 * star.cavity.size());
+  std::size_t number = 0;
+  for (const IndexType cell : star.cavity)
+  {
+    for (unsigned int slot = 0; slot < 4; ++slot)
+    {
+      scratch.facets[number] = { cell, slot };
+      number += marks[m_Cells[cell].neighbors[slot]] == ScratchType::MarkEnum::OUT ? 1 : 0;
+    }
+  }
+  star.boundary.resize(number);
+  for (std::size_t i = 0; i < number; ++i)
+  {
+    const auto & [cell, slot] = scratch.facets[i];
+    star.boundary[i] = this->MakeBoundary(cell, slot);
+  }
 }
 
 void

@@ -324,8 +324,12 @@ private:
   void
   FillHoleAtHull(const std::vector<IndexType> & around);
 
+  /** The facets of a star's cavity to cells that are marked as beyond it. */
   void
-  AddBoundary(IndexType cell, unsigned int slot, StarType & star) const;
+  FindBoundary(StarType & star, ScratchType & scratch) const;
+
+  BoundaryType
+  MakeBoundary(IndexType cell, unsigned int slot) const;
 
   using CornersType = std::array<const PointType *, 4>;
 

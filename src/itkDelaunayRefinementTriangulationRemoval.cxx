@@ -54,7 +54,7 @@ DelaunayRefinementTriangulation::FindCellsOfVertex(IndexType vertex, StarType & 
       const IndexType neighbor = m_Cells[cell].neighbors[slot];
       if (m_Cells[cell].vertices[slot] == vertex)
       {
-        this->AddBoundary(cell, slot, star);
+        star.boundary.push_back(this->MakeBoundary(cell, slot));
       }
       else if (marks[neighbor] != MarkEnum::IN)
       {
@@ -63,7 +63,7 @@ DelaunayRefinementTriangulation::FindCellsOfVertex(IndexType vertex, StarType & 
       }
     }
   }
-  m_Scratches.front()->ClearMarks(star);
+  m_Scratches.front()->ClearMarks(star.cavity);
 }
 
 DelaunayRefinementTriangulation::OrientedFacetType

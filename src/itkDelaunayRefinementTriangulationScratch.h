@@ -31,6 +31,9 @@ class DelaunayRefinementTriangulation::ScratchType
 public:
   static constexpr unsigned int MostVerticesOfMatrix = 64;
 
+  /** Of cells, at the start of a search. */
+  static constexpr std::size_t LeastRoom = 64;
+
   // Of cells that the search for a cavity has seen.
   enum class MarkEnum : std::uint8_t
   {
@@ -48,19 +51,17 @@ public:
   };
 
   void
-  ClearMarks(const StarType & star)
+  ClearMarks(const std::vector<IndexType> & cells)
   {
-    for (const IndexType cell : star.cavity)
+    for (const IndexType cell : cells)
     {
       cellMarks[cell] = MarkEnum::NONE;
-    }
-    for (const BoundaryType & facet : star.boundary)
-    {
-      cellMarks[facet.beyond] = MarkEnum::NONE;
     }
   }
 
   DelaunayRefinementArray<MarkEnum>      cellMarks{}; // NONE between calls
+  std::vector<IndexType>                 seen{}; // cells with a mark
+  std::vector<std::pair<IndexType, unsigned int>> facets{}; // by cell and slot
   DelaunayRefinementArray<std::uint64_t> vertexPlaces{};
   std::uint32_t                          numberOfStars{ 0 };
   std::vector<IndexType>                 matrix = std::vector<IndexType>(MostVerticesOfMatrix * MostVerticesOfMatrix);
@@ -96,8 +97,8 @@ DelaunayRefinementTriangulation::TakeCells(StarType & star, const TTakeCell & ta
   }
 }
 
-inline void
-DelaunayRefinementTriangulation::AddBoundary(IndexType cell, unsigned int slot, StarType & star) const
+inline DelaunayRefinementTriangulation::BoundaryType
+DelaunayRefinementTriangulation::MakeBoundary(IndexType cell, unsigned int slot) const
 {
   // By its vertex, as other threads may be changing what the cell beyond has for neighbors elsewhere.
   const IndexType beyond = m_Cells[cell].neighbors[slot];
@@ -105,12 +106,8 @@ DelaunayRefinementTriangulation::AddBoundary(IndexType cell, unsigned int slot, 
   const auto &    outer = m_Cells[beyond].vertices;
   const IndexType apex =
     inner[0] ^ inner[1] ^ inner[2] ^ inner[3] ^ inner[slot] ^ outer[0] ^ outer[1] ^ outer[2] ^ outer[3];
-  unsigned int mirror = 0;
-  while (outer[mirror] != apex)
-  {
-    ++mirror;
-  }
-  star.boundary.push_back({ inner, beyond, static_cast<std::uint8_t>(slot), static_cast<std::uint8_t>(mirror) });
+  const unsigned int mirror = (outer[1] == apex ? 1u : 0u) | (outer[2] == apex ? 2u : 0u) | (outer[3] == apex ? 3u : 0u);
+  return { inner, beyond, static_cast<std::uint8_t>(slot), static_cast<std::uint8_t>(mirror) };
 }
 } // end namespace itk
 
