@@ -85,6 +85,10 @@ DelaunayRefinementComplex::Reserve(StarType & star, VertexKind kind, double delt
 void
 DelaunayRefinementComplex::Fill(StarType & star, unsigned int thread)
 {
+  for (const auto & facet : star.boundary)
+  {
+    this->FetchRegion(facet.beyond);
+  }
   m_Triangulation.Fill(star, thread);
   for (const IndexType cell : star.cells)
   {

@@ -169,6 +169,13 @@ public:
     return m_Regions[cell];
   }
 
+  /** Has a region that will be asked for soon fetched from memory. */
+  void
+  FetchRegion(IndexType cell) const
+  {
+    DelaunayRefinementMemory::Fetch(m_Regions.data() + cell);
+  }
+
   /** Gives a finite cell to a region, for as long as the cell exists. */
   void
   SetRegion(IndexType cell, RegionType region)

@@ -58,6 +58,9 @@ constexpr unsigned int MostThreads = DelaunayRefinementCircumcenters::MostItems;
 /** So many cells that follow each other are one thread's at a time. */
 constexpr std::size_t CellsPerPiece = 4096;
 
+/** So many cells ahead what their neighbors are is fetched from memory. */
+constexpr std::size_t CellsToFetch = 8;
+
 /** Insertions between two calls of the progress callback. */
 constexpr unsigned int ProgressInterval = 256;
 
@@ -432,6 +435,10 @@ DelaunayRefinementEngine::Impl::ExamineAllCells()
   const auto                examinePiece = [&](std::size_t piece, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
     {
+      for (const IndexType neighbor : triangulation.GetCell(cells[std::min(i + CellsToFetch, end - 1)]).neighbors)
+      {
+        m_Complex->FetchRegion(neighbor);
+      }
       unsigned int facets = 0;
       for (unsigned int slot = 0; slot < 4; ++slot)
       {

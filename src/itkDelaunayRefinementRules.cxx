@@ -173,10 +173,14 @@ DelaunayRefinementRules::MayFireR3(IndexType cell, unsigned int i) const
 {
   const auto &    triangulation = m_Complex.GetTriangulation();
   const IndexType neighbor = triangulation.GetCell(cell).neighbors[i];
-  return m_Complex.GetRegion(cell) != m_Complex.GetRegion(neighbor) && !triangulation.IsInfinite(cell) &&
-         !triangulation.IsInfinite(neighbor) &&
-         std::max(m_Complex.GetSquaredRadius(cell), m_Complex.GetSquaredRadius(neighbor)) >=
-           this->ComputeSquaredR3Threshold(cell, i);
+  if (m_Complex.GetRegion(cell) == m_Complex.GetRegion(neighbor) || triangulation.IsInfinite(cell))
+  {
+    return false;
+  }
+  // The neighbor last: it may be anywhere in memory.
+  const double squaredThreshold = this->ComputeSquaredR3Threshold(cell, i);
+  return std::isfinite(squaredThreshold) && !triangulation.IsInfinite(neighbor) &&
+         std::max(m_Complex.GetSquaredRadius(cell), m_Complex.GetSquaredRadius(neighbor)) >= squaredThreshold;
 }
 
 bool

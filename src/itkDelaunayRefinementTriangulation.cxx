@@ -33,17 +33,6 @@ using Predicates = DelaunayRefinementPredicates;
 using PointType = DelaunayRefinementPoint;
 using IndexType = DelaunayRefinementTriangulation::IndexType;
 
-/** Has memory fetched that will be read soon. */
-void
-Prefetch(const void * address)
-{
-#ifdef __GNUC__
-  __builtin_prefetch(address);
-#else
-  (void)address;
-#endif
-}
-
 /** The side of a point that is exactly on a circumsphere, once all points are moved by amounts that fall off quickly in
  * lexicographical order. */
 bool
@@ -373,7 +362,7 @@ DelaunayRefinementTriangulation::FindCavity(const TDomain & domain,
       numberIn += isIn ? 1 : 0;
       for (const IndexType next : cells[isIn ? neighbor : start].neighbors)
       {
-        Prefetch(&cells[next]);
+        DelaunayRefinementMemory::Fetch(&cells[next]);
       }
     }
   }
