@@ -161,10 +161,16 @@ DelaunayRefinementTriangulation::Take(StarType & star)
 void
 DelaunayRefinementTriangulation::Fill(StarType & star, unsigned int thread)
 {
+  m_Scratches[thread]->vertexPlaces.resize(m_Points.size(), 0);
   for (std::size_t i = 0; i < star.cells.size(); ++i)
   {
     const BoundaryType & facet = star.boundary[i];
     CellType &           cell = m_Cells[star.cells[i]];
+    for (const IndexType vertex : facet.vertices)
+    {
+      DelaunayRefinementMemory::Fetch(&m_Scratches[thread]->vertexPlaces[vertex]);
+      DelaunayRefinementMemory::Fetch(&m_Points[vertex]);
+    }
     cell.vertices = facet.vertices;
     cell.vertices[facet.slot] = star.vertex;
     cell.neighbors[facet.slot] = facet.beyond;
