@@ -149,14 +149,42 @@ private:
     DelaunayRefinementThreads::RunPieces(m_Threads, size, length, task);
   }
 
-  /** Calls \c action with each value that differs from the one before it. */
-  template <typename TAction>
-  void
-  ForEachChange(std::size_t begin, std::size_t end, const TAction & action) const
+  using TableType = std::vector<char>;
+
+  /** A place for each value of a small type. */
+  static std::size_t
+  GetPlace(TPixel value)
   {
-    for (std::size_t i = begin; i < end; i = this->FindChange(i, end))
+    return static_cast<std::size_t>(static_cast<int>(value) - std::numeric_limits<TPixel>::min());
+  }
+
+  /** Notes the values of some pixels. */
+  void
+  NoteValues(std::size_t begin, std::size_t end, TableType & table) const
+  {
+    // Most pieces hold the last two values alone: compilers compare all of a piece at once.
+    constexpr std::size_t length = 64 / sizeof(TPixel);
+    TPixel                one = m_Buffer[begin];
+    TPixel                other = one;
+    table[GetPlace(one)] = 1;
+    for (std::size_t i = begin; i < end; i += length)
     {
-      action(m_Buffer[i]);
+      const TPixel * const pixels = m_Buffer + i;
+      const std::size_t    number = std::min(length, end - i);
+      unsigned char        hasMore = number < length ? 1 : 0;
+      for (std::size_t j = 0; j < length && number == length; ++j)
+      {
+        hasMore |= static_cast<unsigned char>(pixels[j] != one) & static_cast<unsigned char>(pixels[j] != other);
+      }
+      for (std::size_t j = 0; j < number && hasMore != 0; ++j)
+      {
+        table[GetPlace(pixels[j])] = 1;
+        if (pixels[j] != one)
+        {
+          other = one;
+          one = pixels[j];
+        }
+      }
     }
   }
 
@@ -164,19 +192,17 @@ private:
   std::vector<TPixel>
   FindFewLabels() const
   {
-    constexpr int offset = std::numeric_limits<TPixel>::min();
-    using TableType = std::vector<char>;
-    const TableType   none(std::numeric_limits<TPixel>::max() - offset + 1, 0);
+    const TableType   none(GetPlace(std::numeric_limits<TPixel>::max()) + 1, 0);
     const std::size_t length =
       DelaunayRefinementThreads::ChoosePieceLength(m_Threads, m_NumberOfPixels, PixelsPerPiece);
     std::vector<TableType> tables(DelaunayRefinementThreads::CountPieces(m_NumberOfPixels, length), none);
     this->ForPieces(m_NumberOfPixels, length, [&](std::size_t piece, std::size_t begin, std::size_t end) {
-      this->ForEachChange(begin, end, [&table = tables[piece]](TPixel value) { table[value - offset] = 1; });
+      this->NoteValues(begin, end, tables[piece]);
     });
     std::vector<TPixel> labels;
     for (std::size_t i = 0; i < none.size(); ++i)
     {
-      const auto value = static_cast<TPixel>(static_cast<int>(i) + offset);
+      const auto value = static_cast<TPixel>(static_cast<int>(i) + std::numeric_limits<TPixel>::min());
       if (value != 0 && std::any_of(tables.begin(), tables.end(), [i](const TableType & table) { return table[i]; }))
       {
         labels.push_back(value);
@@ -197,7 +223,10 @@ private:
     {
       const std::size_t number = std::min(m_NumberOfPixels - first, piecesAtATime * PixelsPerPiece);
       this->ForPieces(number, PixelsPerPiece, [&](std::size_t piece, std::size_t begin, std::size_t end) {
-        this->ForEachChange(first + begin, first + end, [&set = some[piece]](TPixel value) { set.insert(value); });
+        for (std::size_t i = first + begin; i < first + end; i = this->FindChange(i, first + end))
+        {
+          some[piece].insert(m_Buffer[i]);
+        }
       });
       for (auto & set : some)
       {

@@ -410,11 +410,13 @@ private:
   double
   GetLeastSpacing() const;
 
-  /** As FindClosestSurfacePoint(); but of points nearer than \c nearEnough the first one that is found will do. */
+  /** As FindClosestSurfacePoint(); but of points nearer than \c nearEnough the first one that is found will do, and any
+   * that is nearest but for a share \c slack of its distance. */
   bool
   FindClosestSurfacePoint(const PointType & point,
                           double            maximumDistance,
                           double            nearEnough,
+                          double            slack,
                           PointType &       closest) const;
 
   /** Some voxels of each component, in the order of its runs. */

@@ -41,11 +41,13 @@ public:
   ClosestSearch(const DelaunayRefinementLatticeOracle & oracle,
                 const PointType &                       lattice,
                 double                                  maximumDistance,
-                double                                  nearEnough = 0.0)
+                double                                  nearEnough = 0.0,
+                double                                  slack = 0.0)
     : m_Oracle(oracle)
     , m_Query(lattice)
     , m_Best(maximumDistance * maximumDistance)
     , m_NearEnough(nearEnough * nearEnough)
+    , m_ShareWorthASearch((1.0 - slack) * (1.0 - slack))
   {}
 
   bool
@@ -94,6 +96,13 @@ public:
   }
 
 private:
+  /** Whether what is no nearer can't hold a closest point, or one that is nearer by more than the slack. */
+  bool
+  IsTooFar(double squaredDistance) const
+  {
+    return squaredDistance >= (m_IsFound ? m_ShareWorthASearch * m_Best : m_Best);
+  }
+
   /** To a cube, in lattice coordinates. */
   double
   GetLeastSquaredDistance(const PointType & corner, double size) const
@@ -133,7 +142,7 @@ private:
   {
     const double    size = 4 << level;
     const PointType corner{ node[0] * size, node[1] * size, node[2] * size };
-    if (!m_Oracle.m_Bricks->IsActiveNode(level, node) || this->GetLeastSquaredDistance(corner, size) >= m_Best)
+    if (!m_Oracle.m_Bricks->IsActiveNode(level, node) || this->IsTooFar(this->GetLeastSquaredDistance(corner, size)))
     {
       return;
     }
@@ -183,7 +192,7 @@ private:
     {
       const IndexType    within{ (i & 3) ^ nearest[0], (i >> 2 & 3) ^ nearest[1], (i >> 4) ^ nearest[2] };
       const unsigned int bit = DelaunayRefinementBricks::GetBit(within);
-      if ((cells >> bit & 1u) && squares[0][i & 3] + squares[1][i >> 2 & 3] + squares[2][i >> 4] < m_Best)
+      if ((cells >> bit & 1u) && !this->IsTooFar(squares[0][i & 3] + squares[1][i >> 2 & 3] + squares[2][i >> 4]))
       {
         const IndexType cell{ 4 * brick[0] + within[0], 4 * brick[1] + within[1], 4 * brick[2] + within[2] };
         const PointType corner{ double(cell[0]), double(cell[1]), double(cell[2]) };
@@ -202,7 +211,7 @@ private:
   void
   SearchCube(const TCell & cell, const PointType & cellCorner, const PointType & corner, double size)
   {
-    if (this->GetLeastSquaredDistance(corner, size) >= m_Best)
+    if (this->IsTooFar(this->GetLeastSquaredDistance(corner, size)))
     {
       return;
     }
@@ -246,6 +255,7 @@ private:
   PointType                               m_Query;
   double                                  m_Best;
   double                                  m_NearEnough;
+  double                                  m_ShareWorthASearch;
   PointType                               m_Closest{};
   bool                                    m_IsFound{ false };
   bool                                    m_IsAnyEnough{ false };
@@ -256,17 +266,18 @@ DelaunayRefinementLatticeOracle::FindClosestSurfacePoint(const PointType & point
                                                          double            maximumDistance,
                                                          PointType &       closest) const
 {
-  return this->FindClosestSurfacePoint(point, maximumDistance, 0.0, closest);
+  return this->FindClosestSurfacePoint(point, maximumDistance, 0.0, 0.0, closest);
 }
 
 bool
 DelaunayRefinementLatticeOracle::FindClosestSurfacePoint(const PointType & point,
                                                          double            maximumDistance,
                                                          double            nearEnough,
+                                                         double            slack,
                                                          PointType &       closest) const
 {
   PointType lattice;
-  if (!ClosestSearch(*this, this->ToLattice(point), maximumDistance, nearEnough).Run(lattice))
+  if (!ClosestSearch(*this, this->ToLattice(point), maximumDistance, nearEnough, slack).Run(lattice))
   {
     return false;
   }

@@ -211,10 +211,11 @@ DelaunayRefinementLatticeOracle::ClimbToInscribedRadius(const IndexType & voxel,
 {
   constexpr unsigned int maximumNumberOfSteps = 16;
   constexpr double       smallestGain = 0.05;
+  constexpr double       slack = 0.02;
   PointType              point = this->ToPhysical(PointType{ voxel[0] + 1.0, voxel[1] + 1.0, voxel[2] + 1.0 });
   const RegionType       region = this->HasRegions() ? this->GetRegion(voxel[0], voxel[1], voxel[2]) : 1;
   const auto             radiusAt = [&](const PointType & p, double nearEnough, PointType & closest) {
-    return this->Classify(p) == region && this->FindClosestSurfacePoint(p, enough, nearEnough, closest)
+    return this->Classify(p) == region && this->FindClosestSurfacePoint(p, enough, nearEnough, slack, closest)
                          ? Geometry::Distance(p, closest)
                          : -1.0;
   };
