@@ -102,18 +102,22 @@ DelaunayRefinementManifoldRepair::Mend(IndexType vertex)
   {
     return OutcomeEnum::GOOD;
   }
-  this->FindCandidates();
+  m_Candidates.clear();
+  m_CellsOfCandidates.clear();
+  m_NextSets = SetsEnum::CELLS;
   const std::vector<RegionType> regions = m_Star.GetRegions();
   std::vector<IndexType>        cells;
   const unsigned int            numberOfTurns = m_Angles.IsBounded() ? 2 : 1;
   for (unsigned int turn = 0; turn < numberOfTurns; ++turn)
   {
-    for (const CandidateType & candidate : m_Candidates)
+    for (std::size_t i = 0; i < m_Candidates.size() || this->AddMoreCandidates(); ++i)
     {
       // The vertex itself is quickly asked.
+      const CandidateType candidate = m_Candidates[i];
       cells.clear();
-      for (const std::uint32_t number : candidate.cells)
+      for (std::size_t j = candidate.begin; j < candidate.end; ++j)
       {
+        const std::uint32_t number = m_CellsOfCandidates[j];
         m_Star.GetRegions()[number] = candidate.region;
         cells.push_back(m_Star.GetCells()[number].index);
       }
@@ -150,48 +154,64 @@ DelaunayRefinementManifoldRepair::Give(IndexType cell, RegionType region)
   }
 }
 
-void
-DelaunayRefinementManifoldRepair::FindCandidates()
+bool
+DelaunayRefinementManifoldRepair::AddMoreCandidates()
 {
-  // Small sets first.
-  m_Candidates.clear();
-  const auto & cells = m_Star.GetCells();
-  for (std::uint32_t number = 0; number < cells.size(); ++number)
+  const std::size_t numberBefore = m_Candidates.size();
+  const auto &      cells = m_Star.GetCells();
+  while (m_Candidates.size() == numberBefore && m_NextSets != SetsEnum::NONE)
   {
-    this->AddCandidates({ number });
-  }
-  for (std::uint32_t number = 0; number < cells.size(); ++number)
-  {
-    for (const std::uint32_t neighbor : cells[number].neighbors)
+    for (std::uint32_t number = 0; number < cells.size() && m_NextSets == SetsEnum::CELLS; ++number)
     {
-      if (number < neighbor && m_Star.GetRegions()[neighbor] == m_Star.GetRegions()[number])
+      this->AddCandidates(&number, 1);
+    }
+    for (std::uint32_t number = 0; number < cells.size() && m_NextSets == SetsEnum::PAIRS; ++number)
+    {
+      for (const std::uint32_t neighbor : cells[number].neighbors)
       {
-        this->AddCandidates({ number, neighbor });
+        if (number < neighbor && m_Star.GetRegions()[neighbor] == m_Star.GetRegions()[number])
+        {
+          const std::array<std::uint32_t, 2> pair{ number, neighbor };
+          this->AddCandidates(pair.data(), pair.size());
+        }
       }
     }
+    if (m_NextSets == SetsEnum::PARTS)
+    {
+      m_Star.FindParts(m_Parts);
+      for (const auto & part : m_Parts)
+      {
+        this->AddCandidates(part.data(), part.size());
+      }
+    }
+    m_NextSets = static_cast<SetsEnum>(static_cast<std::uint8_t>(m_NextSets) + 1);
   }
-  m_Star.FindParts(m_Parts);
-  for (const auto & part : m_Parts)
-  {
-    this->AddCandidates(part);
-  }
+  return m_Candidates.size() > numberBefore;
 }
 
 void
-DelaunayRefinementManifoldRepair::AddCandidates(const std::vector<std::uint32_t> & cells)
+DelaunayRefinementManifoldRepair::AddCandidates(const std::uint32_t * cells, std::size_t numberOfCells)
 {
-  const auto &            regions = m_Star.GetRegions();
-  std::vector<RegionType> others;
-  for (const std::uint32_t number : cells)
+  const auto &      regions = m_Star.GetRegions();
+  const std::size_t begin = m_CellsOfCandidates.size();
+  m_RegionsBeside.clear();
+  for (std::size_t i = 0; i < numberOfCells; ++i)
   {
-    for (const std::uint32_t neighbor : m_Star.GetCells()[number].neighbors)
+    for (const std::uint32_t neighbor : m_Star.GetCells()[cells[i]].neighbors)
     {
-      if (regions[neighbor] != regions[number] && !Contains(others, regions[neighbor]))
+      if (regions[neighbor] != regions[cells[i]] && !Contains(m_RegionsBeside, regions[neighbor]))
       {
-        others.push_back(regions[neighbor]);
-        m_Candidates.push_back({ cells, regions[neighbor] });
+        m_RegionsBeside.push_back(regions[neighbor]);
       }
     }
+  }
+  if (!m_RegionsBeside.empty())
+  {
+    m_CellsOfCandidates.insert(m_CellsOfCandidates.end(), cells, cells + numberOfCells);
+  }
+  for (const RegionType region : m_RegionsBeside)
+  {
+    m_Candidates.push_back({ begin, begin + numberOfCells, region });
   }
 }
 

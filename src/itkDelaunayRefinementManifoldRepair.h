@@ -94,8 +94,9 @@ private:
   /** Cells of the star at hand, and the region for them. */
   struct CandidateType
   {
-    std::vector<std::uint32_t> cells;
-    RegionType                 region;
+    std::size_t begin; // in m_CellsOfCandidates
+    std::size_t end;
+    RegionType  region;
   };
 
   enum class OutcomeEnum : uint8_t
@@ -112,12 +113,21 @@ private:
   void
   Change(const std::vector<IndexType> & cells, RegionType region);
 
-  /** Lists sets of cells of the star at hand, each with regions that they might be given to. */
-  void
-  FindCandidates();
+  /** Sets of cells of the star at hand, small ones first: most vertices need no others. */
+  enum class SetsEnum : uint8_t
+  {
+    CELLS,
+    PAIRS, // that share a facet
+    PARTS,
+    NONE
+  };
+
+  /** Lists the next sets, each with regions that they might be given to; false if there are no more. */
+  bool
+  AddMoreCandidates();
 
   void
-  AddCandidates(const std::vector<std::uint32_t> & cells);
+  AddCandidates(const std::uint32_t * cells, std::size_t numberOfCells);
 
   /** Bad places at the vertices of some cells before a change, less those after it; lists where the latter are. */
   int
@@ -143,6 +153,9 @@ private:
   DelaunayRefinementVertexStar            m_Star{};
   DelaunayRefinementVertexStar            m_OtherStar{};
   std::vector<CandidateType>              m_Candidates{};
+  std::vector<std::uint32_t>              m_CellsOfCandidates{};
+  SetsEnum                                m_NextSets{ SetsEnum::CELLS };
+  std::vector<RegionType>                 m_RegionsBeside{};
   std::vector<std::vector<std::uint32_t>> m_Parts{};
   std::vector<IndexType>                  m_StillBad{};
   std::map<IndexType, RegionType>         m_OwnRegions{}; // of the circumcenters, where they are others
