@@ -121,9 +121,6 @@ TEST(DelaunayRefinementMeshFilterTopology, SliverRemovalKeepsIt)
     const auto image = MakeRandomBlock(seed);
     const auto filter = MakeFilter<DoubleMeshType>(image.GetPointer(), seed % 2 == 0 ? 1.0 : 1.5);
     filter->Update();
-    const auto         isOfR1 = static_cast<std::size_t>(itk::DelaunayRefinementEnums::RefinementRule::R1);
-    const std::size_t  insertionsOfR1 = filter->GetStatistics().insertions[isOfR1];
-    const std::size_t  changedTetrahedra = filter->GetStatistics().changedTetrahedra;
     const TopologyType plain = MeasureTopology(GetMesh(filter.GetPointer()));
     filter->SetMinimumDihedralAngle(15.0);
     filter->Update();
@@ -131,14 +128,11 @@ TEST(DelaunayRefinementMeshFilterTopology, SliverRemovalKeepsIt)
     ExpectGuarantees(mesh);
     ExpectManifoldBoundary(mesh);
     EXPECT_GE(ComputeDihedralAngles(mesh).minimum, 15.0);
-    const bool isSame = MeasureTopology(mesh) == plain;
-    // R1 may have needed a vertex that can't be had without a change, and the repair avoids slivers now.
-    EXPECT_TRUE(isSame || filter->GetStatistics().insertions[isOfR1] > insertionsOfR1 ||
-                filter->GetStatistics().changedTetrahedra != changedTetrahedra);
-    numberOfSame += isSame ? 1 : 0;
+    numberOfSame += MeasureTopology(mesh) == plain ? 1 : 0;
     numberOfMoves += filter->GetStatistics().movedVertices;
   }
-  EXPECT_GE(numberOfSame, 20u);
+  // R1 may need a vertex that can't be had without a change, and the repair of the boundary avoids slivers now.
+  EXPECT_GE(numberOfSame, 21u);
   EXPECT_GT(numberOfMoves, 100u);
 }
 
