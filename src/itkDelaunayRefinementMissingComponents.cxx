@@ -30,38 +30,40 @@ using IndexType = DelaunayRefinementComplex::IndexType;
 
 constexpr std::size_t CellsPerPiece = 16384;
 
-/** \class MissingComponents
- * \brief Components that are sought, as the bits of words.
+/** \class MissingParts
+ * \brief Components or cavities that are sought, as the bits of words.
  *
- * Most points are far from most components: slabs of space along each axis tell which may be near. */
-class MissingComponents
+ * Most points are far from most parts: slabs of space along each axis tell which may be near. */
+class MissingParts
 {
 public:
-  explicit MissingComponents(const DelaunayRefinementOracle & oracle)
-    : m_Oracle(oracle)
-    , m_Bounds(oracle.GetSurfaceBounds())
-    , m_Missing((oracle.GetNumberOfComponents() + BitsPerWord - 1) / BitsPerWord)
+  /** \c boundsOf gives a box around a part. */
+  template <typename TBoundsOf>
+  MissingParts(const BoundsType & bounds, std::uint32_t numberOfParts, const TBoundsOf & boundsOf)
+    : m_Bounds(bounds)
+    , m_NumberOfParts(numberOfParts)
+    , m_Missing((numberOfParts + BitsPerWord - 1) / BitsPerWord)
     , m_Near(m_Missing.size())
-    , m_NumberMissing(oracle.GetNumberOfComponents())
+    , m_NumberMissing(numberOfParts)
   {
     for (unsigned int axis = 0; axis < 3; ++axis)
     {
       m_SlabsPerLength[axis] = NumberOfSlabs / (m_Bounds.maximum[axis] - m_Bounds.minimum[axis]);
     }
-    for (std::uint32_t component = 0; component < oracle.GetNumberOfComponents(); ++component)
+    for (std::uint32_t part = 0; part < numberOfParts; ++part)
     {
-      const BoundsType    bounds = oracle.GetComponentBounds(component);
-      const std::uint64_t bit = std::uint64_t{ 1 } << component % BitsPerWord;
-      m_Missing[component / BitsPerWord] |= bit;
+      const BoundsType    around = boundsOf(part);
+      const std::uint64_t bit = std::uint64_t{ 1 } << part % BitsPerWord;
+      m_Missing[part / BitsPerWord] |= bit;
       for (unsigned int axis = 0; axis < 3; ++axis)
       {
         // One more on either side for what rounding does.
-        const std::size_t first = this->FindSlab(bounds.minimum, axis);
-        const std::size_t last = this->FindSlab(bounds.maximum, axis) + 1;
+        const std::size_t first = this->FindSlab(around.minimum, axis);
+        const std::size_t last = this->FindSlab(around.maximum, axis) + 1;
         for (std::size_t slab = first - std::min<std::size_t>(first, 1); slab <= std::min(last, NumberOfSlabs - 1);
              ++slab)
         {
-          m_Near[component / BitsPerWord][axis][slab] |= bit;
+          m_Near[part / BitsPerWord][axis][slab] |= bit;
         }
       }
     }
@@ -73,9 +75,11 @@ public:
     return m_NumberMissing.load(std::memory_order_relaxed) > 0;
   }
 
-  /** A point inside is in a tetrahedron of the mesh. */
+  /** There is a tetrahedron with its circumcenter at a point; \c find gives the number of the part there, or one that is
+   * none. */
+  template <typename TFind>
   void
-  Visit(const PointType & point)
+  Visit(const PointType & point, const TFind & find)
   {
     const std::array<std::size_t, 3> slabs{ this->FindSlab(point, 0),
                                             this->FindSlab(point, 1),
@@ -86,9 +90,10 @@ public:
       if ((near[0][slabs[0]] & near[1][slabs[1]] & near[2][slabs[2]] &
            m_Missing[word].load(std::memory_order_relaxed)) != 0)
       {
-        const std::uint32_t component = m_Oracle.FindComponent(point);
-        const std::uint64_t bit = std::uint64_t{ 1 } << component % BitsPerWord;
-        if ((m_Missing[component / BitsPerWord].fetch_and(~bit, std::memory_order_relaxed) & bit) != 0)
+        const std::uint32_t part = find(point);
+        const std::uint64_t bit = std::uint64_t{ 1 } << part % BitsPerWord;
+        if (part < m_NumberOfParts &&
+            (m_Missing[part / BitsPerWord].fetch_and(~bit, std::memory_order_relaxed) & bit) != 0)
         {
           m_NumberMissing.fetch_sub(1, std::memory_order_relaxed);
         }
@@ -101,11 +106,11 @@ public:
   List() const
   {
     std::vector<std::uint32_t> missing;
-    for (std::uint32_t component = 0; component < m_Oracle.GetNumberOfComponents(); ++component)
+    for (std::uint32_t part = 0; part < m_NumberOfParts; ++part)
     {
-      if (m_Missing[component / BitsPerWord].load() >> component % BitsPerWord & 1u)
+      if (m_Missing[part / BitsPerWord].load() >> part % BitsPerWord & 1u)
       {
-        missing.push_back(component);
+        missing.push_back(part);
       }
     }
     return missing;
@@ -122,13 +127,35 @@ private:
     return static_cast<std::size_t>(std::clamp(slab, 0.0, NumberOfSlabs - 1.0));
   }
 
-  const DelaunayRefinementOracle &                                     m_Oracle;
   BoundsType                                                           m_Bounds;
+  std::uint32_t                                                        m_NumberOfParts;
   PointType                                                            m_SlabsPerLength{};
   std::vector<std::atomic<std::uint64_t>>                              m_Missing;
   std::vector<std::array<std::array<std::uint64_t, NumberOfSlabs>, 3>> m_Near;
   std::atomic<std::size_t>                                             m_NumberMissing;
 };
+/** The parts without a finite cell, of those that \c isSought has, with its circumcenter there. */
+template <typename TIsSought, typename TFind>
+std::vector<std::uint32_t>
+FindMissing(MissingParts &                    missing,
+            const DelaunayRefinementComplex & complex,
+            DelaunayRefinementThreads &       threads,
+            const TIsSought &                 isSought,
+            const TFind &                     find)
+{
+  const auto & triangulation = complex.GetTriangulation();
+  const auto   visitPiece = [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (auto cell = static_cast<IndexType>(begin); cell < end && missing.IsAnyMissing(); ++cell)
+    {
+      if (triangulation.IsAlive(cell) && isSought(complex.GetRegion(cell)) && !triangulation.IsInfinite(cell))
+      {
+        missing.Visit(complex.GetCircumcenter(cell), find);
+      }
+    }
+  };
+  DelaunayRefinementThreads::RunPieces(&threads, triangulation.GetNumberOfCellIndexes(), CellsPerPiece, visitPiece);
+  return missing.List();
+}
 } // namespace
 
 std::vector<std::uint32_t>
@@ -136,19 +163,15 @@ FindMissingDelaunayRefinementComponents(const DelaunayRefinementOracle &  oracle
                                         const DelaunayRefinementComplex & complex,
                                         DelaunayRefinementThreads &       threads)
 {
-  const auto &      triangulation = complex.GetTriangulation();
-  MissingComponents missing(oracle);
-  const auto        visitPiece = [&](std::size_t, std::size_t begin, std::size_t end) {
-    for (auto cell = static_cast<IndexType>(begin); cell < end && missing.IsAnyMissing(); ++cell)
-    {
-      if (triangulation.IsAlive(cell) && complex.GetRegion(cell) != 0)
-      {
-        missing.Visit(complex.GetCircumcenter(cell));
-      }
-    }
-  };
-  DelaunayRefinementThreads::RunPieces(&threads, triangulation.GetNumberOfCellIndexes(), CellsPerPiece, visitPiece);
-  return missing.List();
+  MissingParts missing(oracle.GetSurfaceBounds(), oracle.GetNumberOfComponents(), [&oracle](std::uint32_t component) {
+    return oracle.GetComponentBounds(component);
+  });
+  return FindMissing(
+    missing,
+    complex,
+    threads,
+    [](DelaunayRefinementComplex::RegionType region) { return region != 0; },
+    [&oracle](const PointType & point) { return oracle.FindComponent(point); });
 }
 
 std::vector<std::uint32_t>
@@ -156,30 +179,14 @@ FindMissingDelaunayRefinementCavities(const DelaunayRefinementOracle &  oracle,
                                       const DelaunayRefinementComplex & complex,
                                       DelaunayRefinementThreads &       threads)
 {
-  const auto &                   triangulation = complex.GetTriangulation();
-  std::vector<std::atomic<bool>> isFound(oracle.GetNumberOfCavities());
-  const auto                     visitPiece = [&](std::size_t, std::size_t begin, std::size_t end) {
-    for (auto cell = static_cast<IndexType>(begin); cell < end && !isFound.empty(); ++cell)
-    {
-      if (triangulation.IsAlive(cell) && !triangulation.IsInfinite(cell) && complex.GetRegion(cell) == 0)
-      {
-        const std::uint32_t cavity = oracle.FindCavity(complex.GetCircumcenter(cell));
-        if (cavity < isFound.size())
-        {
-          isFound[cavity].store(true, std::memory_order_relaxed);
-        }
-      }
-    }
-  };
-  DelaunayRefinementThreads::RunPieces(&threads, triangulation.GetNumberOfCellIndexes(), CellsPerPiece, visitPiece);
-  std::vector<std::uint32_t> missing;
-  for (std::uint32_t cavity = 0; cavity < isFound.size(); ++cavity)
-  {
-    if (!isFound[cavity])
-    {
-      missing.push_back(cavity);
-    }
-  }
-  return missing;
+  MissingParts missing(oracle.GetSurfaceBounds(), oracle.GetNumberOfCavities(), [&oracle](std::uint32_t cavity) {
+    return oracle.GetCavityBounds(cavity);
+  });
+  return FindMissing(
+    missing,
+    complex,
+    threads,
+    [](DelaunayRefinementComplex::RegionType region) { return region == 0; },
+    [&oracle](const PointType & point) { return oracle.FindCavity(point); });
 }
 } // end namespace itk

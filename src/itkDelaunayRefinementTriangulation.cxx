@@ -407,14 +407,15 @@ DelaunayRefinementTriangulation::FindBoundary(StarType & star, ScratchType & scr
 void
 DelaunayRefinementTriangulation::LinkStar(StarType & star, ScratchType & scratch)
 {
-  // The cavity's boundary is oriented: each of its edges is passed once in either direction.
-  constexpr auto mostVertices = ScratchType::MostVerticesOfMatrix;
+  // Euler: a sphere of n triangles has n / 2 + 2 vertices.
+  const std::size_t numberOfVertices = star.cells.size() / 2 + 2;
+  const bool        isLarge = numberOfVertices > ScratchType::MostVerticesOfMatrix;
   scratch.vertexPlaces.resize(m_Points.size(), 0);
   scratch.facetPlaces.resize(star.cells.size());
+  scratch.matrix.resize(std::max(scratch.matrix.size(), isLarge ? 0 : numberOfVertices * numberOfVertices));
+  star.cellsOfVertices.resize(numberOfVertices);
   const std::uint64_t number = ++scratch.numberOfStars;
   std::uint32_t       numberOfPlaces = 0;
-  // Euler: a sphere of n triangles has n / 2 + 2 vertices.
-  star.cellsOfVertices.resize(star.cells.size() / 2 + 2);
   for (std::size_t i = 0; i < star.cells.size(); ++i)
   {
     const IndexType index = star.cells[i];
@@ -432,14 +433,15 @@ DelaunayRefinementTriangulation::LinkStar(StarType & star, ScratchType & scratch
       }
       places[j] = static_cast<std::uint32_t>(place);
     }
-    if (numberOfPlaces <= mostVertices)
+    if (!isLarge)
     {
-      scratch.matrix[places[0] * mostVertices + places[1]] = index;
-      scratch.matrix[places[1] * mostVertices + places[2]] = index;
-      scratch.matrix[places[2] * mostVertices + places[0]] = index;
+      // The cavity's boundary is oriented: each of its edges is passed once in either direction.
+      scratch.matrix[places[0] * numberOfVertices + places[1]] = index;
+      scratch.matrix[places[1] * numberOfVertices + places[2]] = index;
+      scratch.matrix[places[2] * numberOfVertices + places[0]] = index;
     }
   }
-  if (numberOfPlaces > mostVertices)
+  if (isLarge)
   {
     this->LinkLargeStar(star, scratch);
     return;
@@ -449,9 +451,9 @@ DelaunayRefinementTriangulation::LinkStar(StarType & star, ScratchType & scratch
     const auto & slots = FacetVertices[star.boundary[i].slot];
     const auto & places = scratch.facetPlaces[i];
     auto &       neighbors = m_Cells[star.cells[i]].neighbors;
-    neighbors[slots[2]] = scratch.matrix[places[1] * mostVertices + places[0]];
-    neighbors[slots[0]] = scratch.matrix[places[2] * mostVertices + places[1]];
-    neighbors[slots[1]] = scratch.matrix[places[0] * mostVertices + places[2]];
+    neighbors[slots[2]] = scratch.matrix[places[1] * numberOfVertices + places[0]];
+    neighbors[slots[0]] = scratch.matrix[places[2] * numberOfVertices + places[1]];
+    neighbors[slots[1]] = scratch.matrix[places[0] * numberOfVertices + places[2]];
   }
 }
 

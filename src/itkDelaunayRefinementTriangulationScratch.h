@@ -29,7 +29,7 @@ namespace itk
 class DelaunayRefinementTriangulation::ScratchType
 {
 public:
-  static constexpr unsigned int MostVerticesOfMatrix = 64;
+  static constexpr std::size_t MostVerticesOfMatrix = 512;
 
   /** Of cells, at the start of a search. */
   static constexpr std::size_t LeastRoom = 64;
@@ -64,7 +64,7 @@ public:
   std::vector<std::pair<IndexType, unsigned int>> facets{}; // by cell and slot
   DelaunayRefinementArray<std::uint64_t> vertexPlaces{};
   std::uint32_t                          numberOfStars{ 0 };
-  std::vector<IndexType>                 matrix = std::vector<IndexType>(MostVerticesOfMatrix * MostVerticesOfMatrix);
+  std::vector<IndexType>                 matrix{}; // of a star's vertices: the cell beyond each edge
   std::vector<std::array<std::uint32_t, 3>> facetPlaces{};
   std::vector<SharedEdgeType>               sharedEdges{};
   std::vector<IndexType>                    around{};
