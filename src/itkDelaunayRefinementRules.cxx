@@ -31,7 +31,8 @@ constexpr double SquaredMargin = 1.0 - 2e-9;
 /** No rule without a proof of its own makes edges shorter than this share of delta. */
 constexpr double ShortestShare = 0.25;
 
-/** No surface ball has a radius above this share of the largest delta, once R1 is done. */
+/** No surface ball has a radius above this share of the largest delta, once R1 is done, with room for vertices that were
+ * moved by a little. */
 constexpr double LargestBallShare = 1.01;
 
 constexpr double DegreesToRadians = 0.017453292519943295;
@@ -145,6 +146,13 @@ DelaunayRefinementRules::FiresR2(IndexType cell) const
 }
 
 double
+DelaunayRefinementRules::ComputeSquaredLargestBall() const
+{
+  const double largestBall = LargestBallShare * m_LocalDelta.GetMaximum();
+  return largestBall * largestBall;
+}
+
+double
 DelaunayRefinementRules::ComputeSquaredR3Threshold(IndexType cell, unsigned int i) const
 {
   const auto & vertices = m_Complex.GetTriangulation().GetCell(cell).vertices;
@@ -156,9 +164,7 @@ DelaunayRefinementRules::ComputeSquaredR3Threshold(IndexType cell, unsigned int 
                                         Geometry::SquaredDistance(m_Complex.GetPoint(c), m_Complex.GetPoint(a)) });
   const bool   isOnSurface = m_Complex.IsFeature(a) && m_Complex.IsFeature(b) && m_Complex.IsFeature(c);
   const bool   isMixed = m_Parameters.radiusEdgeRatioBound >= 2.0 && !isOnSurface;
-  // R1 leaves no surface ball larger than delta, with room for vertices that were moved by a little.
-  const double largestBall = LargestBallShare * m_LocalDelta.GetMaximum();
-  if (!isMixed && squaredEdge > largestBall * largestBall)
+  if (!isMixed && squaredEdge > this->ComputeSquaredLargestBall())
   {
     return std::numeric_limits<double>::infinity();
   }
@@ -211,16 +217,20 @@ DelaunayRefinementRules::FiresR3(IndexType cell, unsigned int i, PointType & cen
     this->FindCrossing(from, to, center);
     return true;
   }
-  // Only the parts of the dual edge with radii of at least the threshold matter, from both ends inwards.
+  // Only the parts of the dual edge with radii of at least the threshold matter, from both ends inwards, and no farther
+  // from vertices than R1 leaves surface.
   const double half = std::sqrt(room / squaredLength);
+  const double reach = std::sqrt(std::max(0.0, this->ComputeSquaredLargestBall() - squaredAtLowest) / squaredLength);
   const double ends[2] = { std::clamp(lowest - half, 0.0, 1.0), std::clamp(lowest + half, 0.0, 1.0) };
+  const double starts[2] = { std::min(std::max(lowest - reach, 0.0), ends[0]),
+                             std::max(std::min(lowest + reach, 1.0), ends[1]) };
   double       largest = squaredThreshold;
   bool         fires = false;
   for (int side = 0; side < 2; ++side)
   {
-    const PointType & outer = side == 0 ? from : to;
-    const PointType   inner = Geometry::AddScaled(from, ends[side], direction);
-    PointType         crossing;
+    const PointType outer = Geometry::AddScaled(from, starts[side], direction);
+    const PointType inner = Geometry::AddScaled(from, ends[side], direction);
+    PointType       crossing;
     if (outer != inner && m_Oracle.FindFirstCrossing(outer, inner, crossing))
     {
       const double squared = Geometry::SquaredDistance(crossing, vertex);

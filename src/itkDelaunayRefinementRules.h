@@ -120,6 +120,10 @@ private:
   double
   GetDeltaOfFeatures(const std::array<IndexType, 4> & vertices, unsigned int leftOut) const;
 
+  /** R1 leaves no surface farther from a vertex. */
+  double
+  ComputeSquaredLargestBall() const;
+
   /** Surface balls of a facet with at least this squared radius make R3 fire; infinity if none can be so large. */
   double
   ComputeSquaredR3Threshold(IndexType cell, unsigned int i) const;
