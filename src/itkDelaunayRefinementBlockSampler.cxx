@@ -53,6 +53,9 @@ constexpr double SampledCell = 0.75;
  * space. */
 constexpr double HopefulShare = 0.35;
 
+/** Two vertices seldom cover a cell together whose radius is a larger share of delta. */
+constexpr double LargestForTwo = 0.4;
+
 /** What rounding to single precision may add to this share of delta's distances is no matter between vertices. */
 constexpr double NegligibleShare = 1e-3;
 
@@ -335,7 +338,8 @@ DelaunayRefinementBlockSampler::CoverCells(const WordType & word, std::uint64_t 
   m_Oracle.AppendCells(m_Words->GetCells(word, cells), m_Wholes);
   for (std::size_t i = 0; i < m_Wholes.GetSize(); ++i)
   {
-    if (!m_Nearby.DoTwoCover(m_Wholes.Get(i), this->GetLeastDelta(word, m_Wholes, i)))
+    const double delta = this->GetLeastDelta(word, m_Wholes, i);
+    if (m_Wholes.GetRadii()[i] > LargestForTwo * delta || !m_Nearby.DoTwoCover(m_Wholes.Get(i), delta))
     {
       m_Oracle.SplitSurfacePatch(m_Wholes.GetIdentifier(i), m_Parts);
     }
