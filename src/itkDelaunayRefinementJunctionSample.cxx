@@ -45,9 +45,13 @@ SampleDelaunayRefinementJunctions(const DelaunayRefinementOracle &     oracle,
                                   bool                                 roundToFloat,
                                   const std::function<bool()> &        keepGoing)
 {
+  auto patches = oracle.GetJunctionPatches();
+  if (patches.ends.GetSize() == 0 && patches.lines.GetSize() == 0)
+  {
+    return {};
+  }
   const auto                  bounds = oracle.GetSurfaceBounds();
   DelaunayRefinementPointGrid vertices(bounds.minimum, bounds.maximum, localDelta.GetMaximum());
-  auto                        patches = oracle.GetJunctionPatches();
   PatchesType                 parts(bounds.minimum);
   std::size_t                 numberOfVisits = 0;
 

@@ -29,8 +29,13 @@
 #include "itkTetrahedralMeshWriter.h"
 
 #include <iostream>
+#include <limits>
 #include <memory>
 #include <new>
+
+#ifdef __GLIBC__
+#  include <malloc.h>
+#endif
 
 namespace
 {
@@ -38,6 +43,19 @@ using namespace meshimage;
 
 constexpr int failure = 1;
 constexpr int badUsage = 2;
+
+/** Has freed memory used again instead of given back: the first touch of a page takes longer than work within it. */
+void
+KeepFreedMemory()
+{
+#ifdef __GLIBC__
+  constexpr int largestThatStays = 32 << 20; // bytes; the C library's own limit
+  constexpr int growth = 16 << 20;
+  mallopt(M_MMAP_THRESHOLD, largestThatStays);
+  mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
+  mallopt(M_TOP_PAD, growth);
+#endif
+}
 
 void
 WriteMesh(const std::string & target, const MeshType & mesh, Outputs & outputs, ProgressBar & bar)
@@ -106,6 +124,7 @@ Fail(const std::string & message, int code, Outputs & outputs, ProgressBar & bar
 int
 main(int argc, char * argv[])
 {
+  KeepFreedMemory();
   KeepStandardError();
   // Shared with the thread that waits for interrupts, which may outlive main.
   const auto outputs = std::make_shared<Outputs>();
