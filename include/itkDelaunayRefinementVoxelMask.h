@@ -58,6 +58,7 @@ public:
     std::uint64_t *              row = this->GetRow(y + 1, z + 1);
     std::array<std::uint8_t, 64> bytes;
     std::uint64_t                carry = 0;
+    std::uint64_t                any = 0;
     for (std::int32_t first = 0; first < m_Size[0]; first += 64)
     {
       const std::int32_t number = m_Size[0] - first;
@@ -72,11 +73,13 @@ public:
       const std::uint64_t bits = PackBytes(bytes);
       *row++ = bits << 1 | carry;
       carry = bits >> 63;
+      any |= bits;
     }
     if (m_Size[0] % 64 == 0)
     {
       *row = carry;
     }
+    m_MayHaveVoxels[this->ToRow(y + 1, z + 1)] = any != 0 ? 1 : 0;
   }
 
   /** Whether voxel (x, y, z) belongs to the object; any index from -1 to the size. */
@@ -95,6 +98,7 @@ public:
     const std::uint64_t flag = std::uint64_t{ 1 } << (bit & 63u);
     std::uint64_t &     word = this->GetRow(y + 1, z + 1)[bit >> 6];
     word = isInside ? word | flag : word & ~flag;
+    m_MayHaveVoxels[this->ToRow(y + 1, z + 1)] |= isInside ? 1 : 0;
   }
 
   /** Makes voxels first to last (included) of a row outside. */
@@ -114,7 +118,14 @@ public:
   const std::uint64_t *
   GetRow(std::int32_t paddedY, std::int32_t paddedZ) const
   {
-    return m_Words.data() + m_WordsPerRow * (static_cast<std::size_t>(paddedZ) * (m_Size[1] + 2) + paddedY);
+    return m_Words.data() + m_WordsPerRow * this->ToRow(paddedY, paddedZ);
+  }
+
+  /** Cheap: true only if no voxel of a row belongs to the object. Rows are numbered from the outer layer. */
+  bool
+  IsRowEmpty(std::int32_t paddedY, std::int32_t paddedZ) const
+  {
+    return m_MayHaveVoxels[this->ToRow(paddedY, paddedZ)] == 0;
   }
 
   /** Number of words of each row. */
@@ -125,6 +136,12 @@ public:
   }
 
 private:
+  std::size_t
+  ToRow(std::int32_t paddedY, std::int32_t paddedZ) const
+  {
+    return static_cast<std::size_t>(paddedZ) * (m_Size[1] + 2) + paddedY;
+  }
+
   /** Bit i is byte i, which is 0 or 1. */
   static std::uint64_t
   PackBytes(const std::array<std::uint8_t, 64> & bytes)
@@ -144,7 +161,7 @@ private:
   std::uint64_t *
   GetRow(std::int32_t paddedY, std::int32_t paddedZ)
   {
-    return m_Words.data() + m_WordsPerRow * (static_cast<std::size_t>(paddedZ) * (m_Size[1] + 2) + paddedY);
+    return m_Words.data() + m_WordsPerRow * this->ToRow(paddedY, paddedZ);
   }
 
   /** Two neighboring bits of a row. */
@@ -160,6 +177,7 @@ private:
   SizeType                               m_Size;
   std::size_t                            m_WordsPerRow;
   DelaunayRefinementArray<std::uint64_t> m_Words;
+  DelaunayRefinementArray<std::uint8_t>  m_MayHaveVoxels; // of each row; bytes, as rows may be set in parallel
 };
 } // end namespace itk
 

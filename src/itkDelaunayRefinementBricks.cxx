@@ -226,6 +226,21 @@ private:
   std::array<std::uint64_t, 16> m_Mixed{};
   std::uint64_t                 m_Any{ 0 };
 };
+/** Whether no voxel of a row of bricks belongs to the object. */
+bool
+AreRowsEmpty(const DelaunayRefinementVoxelMask & mask, std::int32_t brickY, std::int32_t brickZ)
+{
+  constexpr std::int32_t size = DelaunayRefinementBricks::BrickSize;
+  bool                   areEmpty = true;
+  for (std::int32_t z = size * brickZ; z <= std::min(size * brickZ + size, mask.GetSize()[2] + 1) && areEmpty; ++z)
+  {
+    for (std::int32_t y = size * brickY; y <= std::min(size * brickY + size, mask.GetSize()[1] + 1) && areEmpty; ++y)
+    {
+      areEmpty = mask.IsRowEmpty(y, z);
+    }
+  }
+  return areEmpty;
+}
 } // namespace
 
 void
@@ -337,6 +352,11 @@ DelaunayRefinementBricks::FindBricks(const DelaunayRefinementVoxelMask &     mas
 {
   const std::int32_t numberOfBricks = m_Levels[0].size[0];
   std::int32_t *     numbers = m_Numbers.data() + this->ToOffset(0, { 0, brickY, brickZ });
+  if (AreRowsEmpty(mask, brickY, brickZ))
+  {
+    std::fill(numbers, numbers + numberOfBricks, NumberOutside);
+    return;
+  }
   MixedRows          rows(mask, changes, brickY, brickZ);
   for (std::int32_t first = 0; first < numberOfBricks; first += 16, rows.Advance())
   {

@@ -272,6 +272,10 @@ DelaunayRefinementLatticeOracle::EstimateSurfaceArea() const
     {
       const auto            y = static_cast<std::int32_t>(r % rowsPerSlice);
       const auto            z = static_cast<std::int32_t>(r / rowsPerSlice);
+      if (mask.IsRowEmpty(y, z) && mask.IsRowEmpty(y + 1, z) && mask.IsRowEmpty(y, z + 1))
+      {
+        continue;
+      }
       const std::uint64_t * row = mask.GetRow(y, z);
       const std::uint64_t * nextY = mask.GetRow(y + 1, z);
       const std::uint64_t * nextZ = mask.GetRow(y, z + 1);

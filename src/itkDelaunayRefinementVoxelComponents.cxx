@@ -158,6 +158,10 @@ DelaunayRefinementVoxelComponents::FindRuns(const DelaunayRefinementVoxelMask & 
   const auto        wordsOf = [&](std::size_t row) {
     return mask.GetRow(static_cast<std::int32_t>(row % m_Size[1]) + 1, static_cast<std::int32_t>(row / m_Size[1]) + 1);
   };
+  const auto isEmpty = [&](std::size_t row) {
+    return mask.IsRowEmpty(static_cast<std::int32_t>(row % m_Size[1]) + 1,
+                           static_cast<std::int32_t>(row / m_Size[1]) + 1);
+  };
   const auto changesOf = [&](std::size_t row) -> const std::uint64_t * {
     return changes == nullptr ? nullptr
                               : changes->GetRow(0,
@@ -170,7 +174,7 @@ DelaunayRefinementVoxelComponents::FindRuns(const DelaunayRefinementVoxelMask & 
   Threads::RunPieces(threads, rows, length, [&](std::size_t piece, std::size_t begin, std::size_t end) {
     for (std::size_t row = begin; row < end; ++row)
     {
-      m_FirstRuns[row] = CountRuns(wordsOf(row), changesOf(row), mask.GetWordsPerRow());
+      m_FirstRuns[row] = isEmpty(row) ? 0 : CountRuns(wordsOf(row), changesOf(row), mask.GetWordsPerRow());
       firstOfPieces[piece + 1] += m_FirstRuns[row];
     }
   });

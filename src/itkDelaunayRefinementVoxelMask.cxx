@@ -24,6 +24,7 @@ DelaunayRefinementVoxelMask::DelaunayRefinementVoxelMask(const SizeType & size)
   , m_WordsPerRow((static_cast<std::size_t>(size[0]) + 2) / 64 + 1)
   // One word more, as pairs may reach past the end of the last row.
   , m_Words(m_WordsPerRow * (size[1] + 2) * (size[2] + 2) + 1, 0)
+  , m_MayHaveVoxels(static_cast<std::size_t>(size[1] + 2) * (size[2] + 2), 0)
 {}
 
 void
