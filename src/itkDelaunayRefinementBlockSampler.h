@@ -134,13 +134,13 @@ private:
   std::size_t                      m_NumberOfOldVertices{ 0 };
 
   // Scratch of single calls.
-  std::vector<std::uint32_t>     m_Order{};
-  PatchesType                    m_Wholes{};
-  PatchesType                    m_Parts{};
-  PointType                      m_Center{}; // of the box around which m_Found was
-  PointType                      m_HalfExtents{};
-  std::vector<PointType>         m_Found{};
-  DelaunayRefinementNearbyPoints m_Nearby{};
+  std::vector<std::uint32_t>         m_Order{};
+  PatchesType                        m_Wholes{};
+  PatchesType                        m_Parts{};
+  PointType                          m_Center{}; // of the box around which m_Found was
+  PointType                          m_HalfExtents{};
+  DelaunayRefinementArray<PointType> m_Found{};
+  DelaunayRefinementNearbyPoints     m_Nearby{};
 };
 } // end namespace itk
 

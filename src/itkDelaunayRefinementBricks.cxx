@@ -357,7 +357,7 @@ DelaunayRefinementBricks::FindBricks(const DelaunayRefinementVoxelMask &     mas
     std::fill(numbers, numbers + numberOfBricks, NumberOutside);
     return;
   }
-  MixedRows          rows(mask, changes, brickY, brickZ);
+  MixedRows rows(mask, changes, brickY, brickZ);
   for (std::int32_t first = 0; first < numberOfBricks; first += 16, rows.Advance())
   {
     // Bricks are nibbles of the words.

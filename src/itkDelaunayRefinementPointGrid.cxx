@@ -122,10 +122,10 @@ DelaunayRefinementPointGrid::HasPointWithin(const PointType & point, double radi
 }
 
 void
-DelaunayRefinementPointGrid::FindWithinOfBox(const PointType &        center,
-                                             const PointType &        halfExtents,
-                                             double                   radius,
-                                             std::vector<PointType> & found) const
+DelaunayRefinementPointGrid::FindWithinOfBox(const PointType &                    center,
+                                             const PointType &                    halfExtents,
+                                             double                               radius,
+                                             DelaunayRefinementArray<PointType> & found) const
 {
   PointType minimum;
   PointType maximum;

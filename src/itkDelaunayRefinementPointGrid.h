@@ -55,10 +55,10 @@ public:
 
   /** Appends the points within \c radius of a box. */
   void
-  FindWithinOfBox(const PointType &        center,
-                  const PointType &        halfExtents,
-                  double                   radius,
-                  std::vector<PointType> & found) const;
+  FindWithinOfBox(const PointType &                    center,
+                  const PointType &                    halfExtents,
+                  double                               radius,
+                  DelaunayRefinementArray<PointType> & found) const;
 
   /** All points, in the order in which they were added. */
   const std::vector<PointType> &

@@ -31,8 +31,8 @@ constexpr double SquaredMargin = 1.0 - 2e-9;
 /** No rule without a proof of its own makes edges shorter than this share of delta. */
 constexpr double ShortestShare = 0.25;
 
-/** No surface ball has a radius above this share of the largest delta, once R1 is done, with room for vertices that were
- * moved by a little. */
+/** No surface ball has a radius above this share of the largest delta, once R1 is done, with room for vertices that
+ * were moved by a little. */
 constexpr double LargestBallShare = 1.01;
 
 constexpr double DegreesToRadians = 0.017453292519943295;

@@ -59,16 +59,16 @@ public:
     }
   }
 
-  DelaunayRefinementArray<MarkEnum>      cellMarks{}; // NONE between calls
-  std::vector<IndexType>                 seen{}; // cells with a mark
-  std::vector<std::pair<IndexType, unsigned int>> facets{}; // by cell and slot
-  DelaunayRefinementArray<std::uint64_t> vertexPlaces{};
-  std::uint32_t                          numberOfStars{ 0 };
-  std::vector<IndexType>                 matrix{}; // of a star's vertices: the cell beyond each edge
-  std::vector<std::array<std::uint32_t, 3>> facetPlaces{};
-  std::vector<SharedEdgeType>               sharedEdges{};
-  std::vector<IndexType>                    around{};
-  std::vector<OrientedFacetType>            openFacets{};
+  DelaunayRefinementArray<MarkEnum>               cellMarks{}; // NONE between calls
+  std::vector<IndexType>                          seen{};      // cells with a mark
+  std::vector<std::pair<IndexType, unsigned int>> facets{};    // by cell and slot
+  DelaunayRefinementArray<std::uint64_t>          vertexPlaces{};
+  std::uint32_t                                   numberOfStars{ 0 };
+  std::vector<IndexType>                          matrix{}; // of a star's vertices: the cell beyond each edge
+  std::vector<std::array<std::uint32_t, 3>>       facetPlaces{};
+  std::vector<SharedEdgeType>                     sharedEdges{};
+  std::vector<IndexType>                          around{};
+  std::vector<OrientedFacetType>                  openFacets{};
 };
 
 template <typename TTakeCell, typename TFreeCells>
@@ -106,7 +106,8 @@ DelaunayRefinementTriangulation::MakeBoundary(IndexType cell, unsigned int slot)
   const auto &    outer = m_Cells[beyond].vertices;
   const IndexType apex =
     inner[0] ^ inner[1] ^ inner[2] ^ inner[3] ^ inner[slot] ^ outer[0] ^ outer[1] ^ outer[2] ^ outer[3];
-  const unsigned int mirror = (outer[1] == apex ? 1u : 0u) | (outer[2] == apex ? 2u : 0u) | (outer[3] == apex ? 3u : 0u);
+  const unsigned int mirror =
+    (outer[1] == apex ? 1u : 0u) | (outer[2] == apex ? 2u : 0u) | (outer[3] == apex ? 3u : 0u);
   return { inner, beyond, static_cast<std::uint8_t>(slot), static_cast<std::uint8_t>(mirror) };
 }
 } // end namespace itk
