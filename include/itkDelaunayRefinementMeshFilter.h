@@ -187,8 +187,9 @@ public:
   itkBooleanMacro(PaperSlivers);
   /** @ITKEndGrouping */
 
-  /** Rule R2, with E1 to E3, is also applied to tetrahedra whose circumcenter is outside the object, as in the paper
-   * (section III). No guarantee needs it, and the run takes about twice as long. Default off. */
+  /** Rule R2, with E1 to E3, is applied to all intersecting tetrahedra, as in the paper (section III), not only to
+   * those with a vertex on the surface and their circumcenter inside the object. No guarantee needs it, and the run
+   * takes about twice as long. Default off. */
   /** @ITKStartGrouping */
   itkSetMacro(RefineOutside, bool);
   itkGetConstMacro(RefineOutside, bool);

@@ -68,8 +68,9 @@ struct DelaunayRefinementParameters
    * splits them while new edges are at least a quarter of delta long, and keeps no angle for sure. */
   bool paperSlivers{ false };
 
-  /** Whether R2, with E1 to E3, is also applied to tetrahedra whose circumcenter is outside, as in the paper. No
-   * guarantee needs it (docs/guarantees.md, section 4), and it takes about as long as all the rest. */
+  /** Whether R2, with E1 to E3, is applied to all intersecting tetrahedra, as in the paper, not only to those with a
+   * feature vertex and their circumcenter inside. No guarantee needs it (docs/guarantees.md, section 4), and it takes
+   * about as long as all the rest. */
   bool refineOutside{ false };
 
   /** Whether the boundary of each region is to be a 2-manifold: a few tetrahedra are given to another region than that

@@ -58,9 +58,9 @@ public:
   bool
   MayFireR2(IndexType cell) const;
 
-  /** R2 (section III): an intersecting tetrahedron with r >= 2 delta; proposes c(t). New edges are at least 2 delta
-   * long, so it ends. Delta is the same everywhere here, also around components with a lower one: all that R2 gives is
-   * Lemma 4, and there R1 gives more than that. */
+  /** R2 (section III): an intersecting tetrahedron with r >= 2 delta, here one with a feature vertex unless the user
+   * asks for all; proposes c(t). New edges are at least 2 delta long, so it ends. Delta is the same everywhere here,
+   * also around components with a lower one: all that R2 gives is Lemma 4, and there R1 gives more than that. */
   bool
   FiresR2(IndexType cell) const;
 

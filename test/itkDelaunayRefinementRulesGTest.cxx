@@ -85,6 +85,22 @@ TEST(DelaunayRefinementRules, R2FillsSpaceAroundTheSurface)
   EXPECT_LT(ComputeMaximumCircumradius(MakeCheckedMesh(run.result)), 2.0 * 2.0);
 }
 
+TEST(DelaunayRefinementRules, R2BoundsTetrahedraAtTheSurface)
+{
+  // It lets tetrahedra grow that have no vertex on the surface.
+  const double radius = 20.0;
+  const double delta = 1.5;
+  CheckedMesh  mesh = MakeCheckedMesh(RunEngine(BallOracle(origin, radius), MakeParameters(delta)).result);
+  const auto   isOnSurface = [&](auto point) { return std::abs(Norm(mesh.points[point]) - radius) < 1e-6; };
+  EXPECT_GT(ComputeMaximumCircumradius(mesh), 2.0 * delta);
+  mesh.tetrahedra.erase(std::remove_if(mesh.tetrahedra.begin(),
+                                       mesh.tetrahedra.end(),
+                                       [&](const auto & t) { return std::none_of(t.begin(), t.end(), isOnSurface); }),
+                        mesh.tetrahedra.end());
+  EXPECT_FALSE(mesh.tetrahedra.empty());
+  EXPECT_LT(ComputeMaximumCircumradius(mesh), 2.0 * delta * (1.0 + 1e-9));
+}
+
 TEST(DelaunayRefinementRules, R2OutsideAddsNothingToTheMesh)
 {
   // The guarantees with R2 inside alone are measured in the other tests.

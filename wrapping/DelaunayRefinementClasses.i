@@ -152,8 +152,8 @@ minimum_delta : float, mm, default: 0.0 (off)
 size_field : itk.Image[itk.F, 3] of lengths in mm, default: none
     Delta is no larger at any point; it has a grid of its own.
 refine_outside : bool, default: False
-    Rule R2 of the paper outside the object too; no guarantee needs it, and it
-    takes twice as long.
+    Rule R2 of the paper for all intersecting tetrahedra, outside the object
+    too; no guarantee needs it, and it takes twice as long.
 maximum_number_of_vertices : int, default: no limit
     Gives up, without a mesh, before there are more vertices.
 

@@ -134,7 +134,7 @@ AddSizeOptions(CLI::App & app, Options & options)
     ->group(group);
   app.add_flag("--allow-non-manifold", options.allowNonManifold, "leave the boundary as the rules make it")
     ->group(group);
-  app.add_flag("--refine-outside", options.refineOutside, "rule R2 outside the object too, as in the paper")
+  app.add_flag("--refine-outside", options.refineOutside, "rule R2 for all intersecting tetrahedra, as in the paper")
     ->group(group);
   AddValue(app,
            "--max-vertices",
