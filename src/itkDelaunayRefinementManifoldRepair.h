@@ -113,7 +113,7 @@ private:
   void
   Change(const std::vector<IndexType> & cells, RegionType region);
 
-  /** Sets of cells of the star at hand, small ones first: most vertices need no others. */
+  // Sets of cells of the star at hand, small ones first: most vertices need no others.
   enum class SetsEnum : uint8_t
   {
     CELLS,

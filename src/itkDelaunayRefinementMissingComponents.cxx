@@ -75,8 +75,8 @@ public:
     return m_NumberMissing.load(std::memory_order_relaxed) > 0;
   }
 
-  /** There is a tetrahedron with its circumcenter at a point; \c find gives the number of the part there, or one that is
-   * none. */
+  /** There is a tetrahedron with its circumcenter at a point; \c find gives the number of the part there, or one that
+   * is none. */
   template <typename TFind>
   void
   Visit(const PointType & point, const TFind & find)
