@@ -270,8 +270,8 @@ DelaunayRefinementLatticeOracle::EstimateSurfaceArea() const
     std::array<std::size_t, 3> faces{};
     for (std::size_t r = begin; r < end; ++r)
     {
-      const auto            y = static_cast<std::int32_t>(r % rowsPerSlice);
-      const auto            z = static_cast<std::int32_t>(r / rowsPerSlice);
+      const auto y = static_cast<std::int32_t>(r % rowsPerSlice);
+      const auto z = static_cast<std::int32_t>(r / rowsPerSlice);
       if (mask.IsRowEmpty(y, z) && mask.IsRowEmpty(y + 1, z) && mask.IsRowEmpty(y, z + 1))
       {
         continue;
