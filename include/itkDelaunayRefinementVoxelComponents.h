@@ -163,9 +163,9 @@ private:
   void
   JoinRows(std::size_t row, std::size_t other, std::int32_t reach);
 
-  /** Two runs, by their numbers, if they come within \c reach voxels of each other. */
+  /** Two runs, by their numbers. */
   void
-  JoinRuns(std::size_t i, std::size_t j, std::int32_t reach);
+  JoinRuns(std::size_t i, std::size_t j);
 
   /** Joins the rows of some slices to each other. */
   void

@@ -219,21 +219,15 @@ DelaunayRefinementVoxelComponents::FindRoot(ComponentType run)
 }
 
 void
-DelaunayRefinementVoxelComponents::JoinRuns(std::size_t i, std::size_t j, std::int32_t reach)
+DelaunayRefinementVoxelComponents::JoinRuns(std::size_t i, std::size_t j)
 {
-  RunType & a = m_Runs[i];
-  RunType & b = m_Runs[j];
-  if (a.component != b.component && a.first <= b.last + reach && b.first <= a.last + reach &&
-      (m_Regions.empty() || m_Regions[i] == m_Regions[j]))
-  {
-    const ComponentType rootA = this->FindRoot(static_cast<ComponentType>(i));
-    const ComponentType rootB = this->FindRoot(static_cast<ComponentType>(j));
-    const ComponentType root = std::min(rootA, rootB);
-    m_Runs[std::max(rootA, rootB)].component = root;
-    // A shorter way for the next rows.
-    a.component = root;
-    b.component = root;
-  }
+  const ComponentType rootA = this->FindRoot(static_cast<ComponentType>(i));
+  const ComponentType rootB = this->FindRoot(static_cast<ComponentType>(j));
+  const ComponentType root = std::min(rootA, rootB);
+  m_Runs[std::max(rootA, rootB)].component = root;
+  // A shorter way for the next rows.
+  m_Runs[i].component = root;
+  m_Runs[j].component = root;
 }
 
 void
@@ -243,9 +237,18 @@ DelaunayRefinementVoxelComponents::JoinRows(std::size_t row, std::size_t other, 
   std::size_t       j = m_FirstRuns[other];
   const std::size_t endI = m_FirstRuns[row + 1];
   const std::size_t endJ = m_FirstRuns[other + 1];
+  const auto        joinIfNear = [this, reach](std::size_t one, std::size_t two) {
+    const RunType & a = m_Runs[one];
+    const RunType & b = m_Runs[two];
+    if (a.component != b.component && a.first <= b.last + reach && b.first <= a.last + reach &&
+        (m_Regions.empty() || m_Regions[one] == m_Regions[two]))
+    {
+      this->JoinRuns(one, two);
+    }
+  };
   while (i < endI && j < endJ)
   {
-    this->JoinRuns(i, j, reach);
+    joinIfNear(i, j);
     if (m_Runs[i].last < m_Runs[j].last)
     {
       ++i;
@@ -254,7 +257,7 @@ DelaunayRefinementVoxelComponents::JoinRows(std::size_t row, std::size_t other, 
     // Runs of different regions follow each other without a gap: the next one may reach this one, too.
     if (m_Runs[i].last == m_Runs[j].last && i + 1 < endI)
     {
-      this->JoinRuns(i + 1, j, reach);
+      joinIfNear(i + 1, j);
     }
     ++j;
   }
