@@ -226,6 +226,7 @@ private:
   std::array<std::uint64_t, 16> m_Mixed{};
   std::uint64_t                 m_Any{ 0 };
 };
+
 /** Whether no voxel of a row of bricks belongs to the object. */
 bool
 AreRowsEmpty(const DelaunayRefinementVoxelMask & mask, std::int32_t brickY, std::int32_t brickZ)

@@ -253,7 +253,7 @@ DelaunayRefinementLatticeOracle::ClimbToInscribedRadius(const IndexType & voxel,
       stride *= 0.5;
     }
   }
-  return radius;
+  return (1.0 - slack) * radius;
 }
 
 double

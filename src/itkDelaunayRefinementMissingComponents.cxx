@@ -134,6 +134,7 @@ private:
   std::vector<std::array<std::array<std::uint64_t, NumberOfSlabs>, 3>> m_Near;
   std::atomic<std::size_t>                                             m_NumberMissing;
 };
+
 /** The parts without a finite cell, of those that \c isSought has, with its circumcenter there. */
 template <typename TIsSought, typename TFind>
 std::vector<std::uint32_t>

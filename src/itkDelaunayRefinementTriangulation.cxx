@@ -340,8 +340,8 @@ DelaunayRefinementTriangulation::FindCavity(const TDomain & domain,
   std::size_t            numberIn = 1;
   std::size_t            numberSeen = 1;
   bool                   mayChangeAll = true;
-  star.cavity.resize(std::max(star.cavity.capacity(), ScratchType::LeastRoom));
-  scratch.seen.resize(std::max(scratch.seen.capacity(), ScratchType::LeastRoom));
+  star.cavity.resize(ScratchType::LeastRoom);
+  scratch.seen.resize(ScratchType::LeastRoom);
   scratch.seen[0] = start;
   marks[start] = MarkEnum::IN;
   for (std::size_t i = 0; i < numberIn && mayChangeAll; ++i)
@@ -366,7 +366,8 @@ DelaunayRefinementTriangulation::FindCavity(const TDomain & domain,
       scratch.seen[numberSeen++] = neighbor;
       star.cavity[numberIn] = neighbor;
       numberIn += isIn ? 1 : 0;
-      for (const IndexType next : cells[isIn ? neighbor : start].neighbors)
+      // Not of cells that may not be changed: others may be writing there.
+      for (const IndexType next : cells[isIn && mayChangeAll ? neighbor : start].neighbors)
       {
         DelaunayRefinementMemory::Fetch(&cells[next]);
       }
@@ -410,7 +411,6 @@ DelaunayRefinementTriangulation::LinkStar(StarType & star, ScratchType & scratch
   // Euler: a sphere of n triangles has n / 2 + 2 vertices.
   const std::size_t numberOfVertices = star.cells.size() / 2 + 2;
   const bool        isLarge = numberOfVertices > ScratchType::MostVerticesOfMatrix;
-  scratch.vertexPlaces.resize(m_Points.size(), 0);
   scratch.facetPlaces.resize(star.cells.size());
   scratch.matrix.resize(std::max(scratch.matrix.size(), isLarge ? 0 : numberOfVertices * numberOfVertices));
   star.cellsOfVertices.resize(numberOfVertices);
