@@ -284,8 +284,8 @@ private:
   bool
   IsInConflictExactly(IndexType cell, const PointType & point) const;
 
-  /** The cells in conflict with a star's point, \c start among them, and the facets around them; false if not all may be
-   * changed, and what the star has then is of no use but for the first cell. */
+  /** The cells in conflict with a star's point, \c start among them, and the facets around them; false if not all may
+   * be changed, and what the star has then is of no use but for the first cell. */
   template <typename TDomain>
   bool
   FindCavity(const TDomain & domain, IndexType start, StarType & star, ScratchType & scratch) const;
