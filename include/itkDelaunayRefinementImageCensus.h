@@ -167,25 +167,32 @@ private:
     TPixel                one = m_Buffer[begin];
     TPixel                other = one;
     table[GetPlace(one)] = 1;
-    for (std::size_t i = begin; i < end; i += length)
+    const auto noteEach = [&](std::size_t from, std::size_t to) {
+      for (std::size_t i = from; i < to; ++i)
+      {
+        table[GetPlace(m_Buffer[i])] = 1;
+        if (m_Buffer[i] != one)
+        {
+          other = one;
+          one = m_Buffer[i];
+        }
+      }
+    };
+    std::size_t i = begin;
+    for (; i + length <= end; i += length)
     {
       const TPixel * const pixels = m_Buffer + i;
-      const std::size_t    number = std::min(length, end - i);
-      unsigned char        hasMore = number < length ? 1 : 0;
-      for (std::size_t j = 0; j < length && number == length; ++j)
+      unsigned char        hasMore = 0;
+      for (std::size_t j = 0; j < length; ++j)
       {
         hasMore |= static_cast<unsigned char>(pixels[j] != one) & static_cast<unsigned char>(pixels[j] != other);
       }
-      for (std::size_t j = 0; j < number && hasMore != 0; ++j)
+      if (hasMore != 0)
       {
-        table[GetPlace(pixels[j])] = 1;
-        if (pixels[j] != one)
-        {
-          other = one;
-          one = pixels[j];
-        }
+        noteEach(i, i + length);
       }
     }
+    noteEach(i, end);
   }
 
   /** By a table of all values. */

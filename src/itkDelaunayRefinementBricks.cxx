@@ -232,15 +232,17 @@ bool
 AreRowsEmpty(const DelaunayRefinementVoxelMask & mask, std::int32_t brickY, std::int32_t brickZ)
 {
   constexpr std::int32_t size = DelaunayRefinementBricks::BrickSize;
-  bool                   areEmpty = true;
-  for (std::int32_t z = size * brickZ; z <= std::min(size * brickZ + size, mask.GetSize()[2] + 1) && areEmpty; ++z)
+  for (std::int32_t z = size * brickZ; z <= std::min(size * brickZ + size, mask.GetSize()[2] + 1); ++z)
   {
-    for (std::int32_t y = size * brickY; y <= std::min(size * brickY + size, mask.GetSize()[1] + 1) && areEmpty; ++y)
+    for (std::int32_t y = size * brickY; y <= std::min(size * brickY + size, mask.GetSize()[1] + 1); ++y)
     {
-      areEmpty = mask.IsRowEmpty(y, z);
+      if (!mask.IsRowEmpty(y, z))
+      {
+        return false;
+      }
     }
   }
-  return areEmpty;
+  return true;
 }
 } // namespace
 

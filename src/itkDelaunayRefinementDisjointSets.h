@@ -33,10 +33,14 @@ namespace itk
 class DelaunayRefinementDisjointSets
 {
 public:
-  explicit DelaunayRefinementDisjointSets(std::size_t size)
-    : m_Parents(size)
-    , m_NumberOfSets(size)
+  explicit DelaunayRefinementDisjointSets(std::size_t size = 0) { this->Start(size); }
+
+  /** Forgets all sets; there are as many numbers now. */
+  void
+  Start(std::size_t size)
   {
+    m_NumberOfSets = size;
+    m_Parents.resize(size);
     std::iota(m_Parents.begin(), m_Parents.end(), 0u);
   }
 
@@ -68,8 +72,8 @@ public:
   }
 
 private:
-  std::vector<std::uint32_t> m_Parents;
-  std::size_t                m_NumberOfSets;
+  std::vector<std::uint32_t> m_Parents{};
+  std::size_t                m_NumberOfSets{ 0 };
 };
 } // end namespace itk
 

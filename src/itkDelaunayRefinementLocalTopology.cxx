@@ -17,8 +17,6 @@
  *=========================================================================*/
 #include "itkDelaunayRefinementLocalTopology.h"
 
-#include "itkDelaunayRefinementDisjointSets.h"
-
 #include <algorithm>
 
 namespace itk
@@ -70,8 +68,8 @@ DelaunayRefinementLocalTopology::Describe(const FacetsType & facets, RegionType 
   const auto isSame = [this](std::size_t i, std::size_t j) {
     return j < m_EdgesOfFacets.size() && m_EdgesOfFacets[i].edge == m_EdgesOfFacets[j].edge;
   };
-  DelaunayRefinementDisjointSets parts(list.size());
-  DelaunayRefinementDisjointSets fans(3 * list.size());
+  m_JoinedFacets.Start(list.size());
+  m_JoinedCorners.Start(3 * list.size());
   for (std::size_t i = 0; i < m_EdgesOfFacets.size();)
   {
     const std::size_t number = isSame(i, i + 1) ? 2 : 1;
@@ -84,9 +82,9 @@ DelaunayRefinementLocalTopology::Describe(const FacetsType & facets, RegionType 
     {
       const auto & one = m_EdgesOfFacets[i].corners;
       const auto & other = m_EdgesOfFacets[i + 1].corners;
-      parts.Join(one[0] / 3, other[0] / 3);
-      fans.Join(one[0], other[0]);
-      fans.Join(one[1], other[1]);
+      m_JoinedFacets.Join(one[0] / 3, other[0] / 3);
+      m_JoinedCorners.Join(one[0], other[0]);
+      m_JoinedCorners.Join(one[1], other[1]);
     }
     i += number;
   }
@@ -95,7 +93,7 @@ DelaunayRefinementLocalTopology::Describe(const FacetsType & facets, RegionType 
   for (std::size_t i = 0; i < m_EdgesOfFacets.size();)
   {
     const auto &        own = m_EdgesOfFacets[i];
-    const std::uint32_t part = parts.Find(own.corners[0] / 3);
+    const std::uint32_t part = m_JoinedFacets.Find(own.corners[0] / 3);
     const bool          isRim = !isSame(i, i + 1);
     --m_Parts[part].eulerCharacteristic;
     if (isRim)
@@ -103,7 +101,7 @@ DelaunayRefinementLocalTopology::Describe(const FacetsType & facets, RegionType 
       m_Parts[part].name = std::min(m_Parts[part].name, own.edge);
       for (unsigned int end = 0; end < 2; ++end)
       {
-        auto & ends = m_Fans[fans.Find(own.corners[end])].ends;
+        auto & ends = m_Fans[m_JoinedCorners.Find(own.corners[end])].ends;
         ends[ends[0] == None ? 0 : 1] = own.edge[1 - end];
       }
     }
@@ -115,11 +113,11 @@ DelaunayRefinementLocalTopology::Describe(const FacetsType & facets, RegionType 
     {
       continue;
     }
-    const std::uint32_t part = parts.Find(i);
+    const std::uint32_t part = m_JoinedFacets.Find(i);
     ++m_Parts[part].eulerCharacteristic;
     for (std::uint32_t corner = 3 * i; corner < 3 * i + 3; ++corner)
     {
-      const std::uint32_t fan = fans.Find(corner);
+      const std::uint32_t fan = m_JoinedCorners.Find(corner);
       if (fan == corner)
       {
         ++m_Parts[part].eulerCharacteristic;
@@ -131,7 +129,7 @@ DelaunayRefinementLocalTopology::Describe(const FacetsType & facets, RegionType 
   }
   for (std::uint32_t i = 0; i < list.size(); ++i)
   {
-    if (parts.Find(i) == i && isOfRegion(i))
+    if (m_JoinedFacets.Find(i) == i && isOfRegion(i))
     {
       surface.parts.push_back(m_Parts[i]);
     }
@@ -141,7 +139,7 @@ DelaunayRefinementLocalTopology::Describe(const FacetsType & facets, RegionType 
     if (!isSame(i, i + 1) && (i == 0 || !isSame(i, i - 1)))
     {
       const auto & own = m_EdgesOfFacets[i];
-      surface.rim.emplace_back(own.edge, m_Parts[parts.Find(own.corners[0] / 3)].name);
+      surface.rim.emplace_back(own.edge, m_Parts[m_JoinedFacets.Find(own.corners[0] / 3)].name);
     }
   }
   std::sort(surface.parts.begin(), surface.parts.end());

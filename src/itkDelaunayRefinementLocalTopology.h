@@ -18,6 +18,7 @@
 #ifndef itkDelaunayRefinementLocalTopology_h
 #define itkDelaunayRefinementLocalTopology_h
 
+#include "itkDelaunayRefinementDisjointSets.h"
 #include "itkDelaunayRefinementTriangulation.h"
 
 #include <vector>
@@ -153,13 +154,15 @@ private:
   static bool
   TakeOut(IndexType vertex, std::vector<FanType> & fans);
 
-  SurfaceType                  m_Before{};
-  SurfaceType                  m_After{};
-  std::vector<RegionType>      m_Regions{};
-  std::vector<EdgeOfFacetType> m_EdgesOfFacets{};
-  std::vector<PartType>        m_Parts{};
-  std::vector<FanType>         m_Fans{};
-  std::vector<IndexType>       m_VerticesToAsk{};
+  SurfaceType                    m_Before{};
+  SurfaceType                    m_After{};
+  std::vector<RegionType>        m_Regions{};
+  std::vector<EdgeOfFacetType>   m_EdgesOfFacets{};
+  DelaunayRefinementDisjointSets m_JoinedFacets{};  // by edges inside, into parts
+  DelaunayRefinementDisjointSets m_JoinedCorners{}; // of facets, into fans
+  std::vector<PartType>          m_Parts{};
+  std::vector<FanType>           m_Fans{};
+  std::vector<IndexType>         m_VerticesToAsk{};
 };
 } // end namespace itk
 

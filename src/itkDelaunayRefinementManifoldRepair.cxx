@@ -161,30 +161,40 @@ DelaunayRefinementManifoldRepair::AddMoreCandidates()
   const auto &      cells = m_Star.GetCells();
   while (m_Candidates.size() == numberBefore && m_NextSets != SetsEnum::NONE)
   {
-    for (std::uint32_t number = 0; number < cells.size() && m_NextSets == SetsEnum::CELLS; ++number)
+    switch (m_NextSets)
     {
-      this->AddCandidates(&number, 1);
-    }
-    for (std::uint32_t number = 0; number < cells.size() && m_NextSets == SetsEnum::PAIRS; ++number)
-    {
-      for (const std::uint32_t neighbor : cells[number].neighbors)
-      {
-        if (number < neighbor && m_Star.GetRegions()[neighbor] == m_Star.GetRegions()[number])
+      case SetsEnum::CELLS:
+        for (std::uint32_t number = 0; number < cells.size(); ++number)
         {
-          const std::array<std::uint32_t, 2> pair{ number, neighbor };
-          this->AddCandidates(pair.data(), pair.size());
+          this->AddCandidates(&number, 1);
         }
-      }
+        m_NextSets = SetsEnum::PAIRS;
+        break;
+      case SetsEnum::PAIRS:
+        for (std::uint32_t number = 0; number < cells.size(); ++number)
+        {
+          for (const std::uint32_t neighbor : cells[number].neighbors)
+          {
+            if (number < neighbor && m_Star.GetRegions()[neighbor] == m_Star.GetRegions()[number])
+            {
+              const std::array<std::uint32_t, 2> pair{ number, neighbor };
+              this->AddCandidates(pair.data(), pair.size());
+            }
+          }
+        }
+        m_NextSets = SetsEnum::PARTS;
+        break;
+      case SetsEnum::PARTS:
+        m_Star.FindParts(m_Parts);
+        for (const auto & part : m_Parts)
+        {
+          this->AddCandidates(part.data(), part.size());
+        }
+        m_NextSets = SetsEnum::NONE;
+        break;
+      case SetsEnum::NONE:
+        break;
     }
-    if (m_NextSets == SetsEnum::PARTS)
-    {
-      m_Star.FindParts(m_Parts);
-      for (const auto & part : m_Parts)
-      {
-        this->AddCandidates(part.data(), part.size());
-      }
-    }
-    m_NextSets = static_cast<SetsEnum>(static_cast<std::uint8_t>(m_NextSets) + 1);
   }
   return m_Candidates.size() > numberBefore;
 }

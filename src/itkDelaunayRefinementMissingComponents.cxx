@@ -135,20 +135,20 @@ private:
   std::atomic<std::size_t>                                             m_NumberMissing;
 };
 
-/** The parts without a finite cell, of those that \c isSought has, with its circumcenter there. */
-template <typename TIsSought, typename TFind>
+/** The parts without a finite cell, inside or outside as they are, with its circumcenter there. */
+template <typename TFind>
 std::vector<std::uint32_t>
 FindMissing(MissingParts &                    missing,
+            bool                              isInside,
             const DelaunayRefinementComplex & complex,
             DelaunayRefinementThreads &       threads,
-            const TIsSought &                 isSought,
             const TFind &                     find)
 {
   const auto & triangulation = complex.GetTriangulation();
   const auto   visitPiece = [&](std::size_t, std::size_t begin, std::size_t end) {
     for (auto cell = static_cast<IndexType>(begin); cell < end && missing.IsAnyMissing(); ++cell)
     {
-      if (triangulation.IsAlive(cell) && isSought(complex.GetRegion(cell)) && !triangulation.IsInfinite(cell))
+      if (triangulation.IsAlive(cell) && (complex.GetRegion(cell) != 0) == isInside && !triangulation.IsInfinite(cell))
       {
         missing.Visit(complex.GetCircumcenter(cell), find);
       }
@@ -168,11 +168,7 @@ FindMissingDelaunayRefinementComponents(const DelaunayRefinementOracle &  oracle
     return oracle.GetComponentBounds(component);
   });
   return FindMissing(
-    missing,
-    complex,
-    threads,
-    [](DelaunayRefinementComplex::RegionType region) { return region != 0; },
-    [&oracle](const PointType & point) { return oracle.FindComponent(point); });
+    missing, true, complex, threads, [&oracle](const PointType & point) { return oracle.FindComponent(point); });
 }
 
 std::vector<std::uint32_t>
@@ -184,10 +180,6 @@ FindMissingDelaunayRefinementCavities(const DelaunayRefinementOracle &  oracle,
     return oracle.GetCavityBounds(cavity);
   });
   return FindMissing(
-    missing,
-    complex,
-    threads,
-    [](DelaunayRefinementComplex::RegionType region) { return region == 0; },
-    [&oracle](const PointType & point) { return oracle.FindCavity(point); });
+    missing, false, complex, threads, [&oracle](const PointType & point) { return oracle.FindCavity(point); });
 }
 } // end namespace itk

@@ -89,11 +89,7 @@ DelaunayRefinementVertexStar::CountBadPlacesOf(RegionType region)
 {
   const std::size_t numberOfCorners = m_Corners.GetIndexes().size();
   m_Degrees.assign(numberOfCorners, 0);
-  m_Parents.resize(numberOfCorners);
-  for (std::uint32_t i = 0; i < m_Parents.size(); ++i)
-  {
-    m_Parents[i] = i;
-  }
+  m_Fans.Start(numberOfCorners);
   for (std::uint32_t number = 0; number < m_Cells.size(); ++number)
   {
     const CellType & cell = m_Cells[number];
@@ -105,7 +101,7 @@ DelaunayRefinementVertexStar::CountBadPlacesOf(RegionType region)
         const std::uint32_t b = cell.corners[(i + 2) % 3];
         ++m_Degrees[a];
         ++m_Degrees[b];
-        m_Parents[this->FindRoot(a)] = this->FindRoot(b);
+        m_Fans.Join(a, b);
       }
     }
   }
@@ -114,20 +110,9 @@ DelaunayRefinementVertexStar::CountBadPlacesOf(RegionType region)
   for (std::uint32_t i = 0; i < numberOfCorners; ++i)
   {
     atEdges += m_Degrees[i] > 2 ? m_Degrees[i] / 2 - 1 : 0;
-    fans += m_Degrees[i] > 0 && m_Parents[i] == i ? 1 : 0;
+    fans += m_Degrees[i] > 0 && m_Fans.Find(i) == i ? 1 : 0;
   }
   return atEdges + (fans > 1 ? fans - 1 : 0);
-}
-
-std::uint32_t
-DelaunayRefinementVertexStar::FindRoot(std::uint32_t corner)
-{
-  while (m_Parents[corner] != corner)
-  {
-    m_Parents[corner] = m_Parents[m_Parents[corner]];
-    corner = m_Parents[corner];
-  }
-  return corner;
 }
 
 template <typename TIsAmong>

@@ -19,6 +19,7 @@
 #define itkDelaunayRefinementVertexStar_h
 
 #include "itkDelaunayRefinementComplex.h"
+#include "itkDelaunayRefinementDisjointSets.h"
 
 namespace itk
 {
@@ -137,17 +138,14 @@ private:
   void
   AppendParts(const TIsAmong & isAmong, std::vector<std::vector<std::uint32_t>> & parts);
 
-  std::uint32_t
-  FindRoot(std::uint32_t corner);
-
-  std::vector<CellType>      m_Cells{};
-  std::vector<RegionType>    m_Regions{};
-  NumberingType              m_CellNumbers{};
-  NumberingType              m_Corners{};
-  std::vector<std::uint32_t> m_Degrees{};
-  std::vector<std::uint32_t> m_Parents{};
-  std::vector<RegionType>    m_Different{};
-  std::vector<char>          m_IsVisited{};
+  std::vector<CellType>          m_Cells{};
+  std::vector<RegionType>        m_Regions{};
+  NumberingType                  m_CellNumbers{};
+  NumberingType                  m_Corners{};
+  std::vector<std::uint32_t>     m_Degrees{};
+  DelaunayRefinementDisjointSets m_Fans{}; // corners that triangles join
+  std::vector<RegionType>        m_Different{};
+  std::vector<char>              m_IsVisited{};
 };
 } // end namespace itk
 
