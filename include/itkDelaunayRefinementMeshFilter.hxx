@@ -235,12 +235,14 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::GenerateData()
     this->VerifyMemory(oracle, kept, parameters);
     m_PreparationSeconds = secondsSince(preparationStart);
 
-    DelaunayRefinementEngine engine(oracle, parameters);
-    const auto               reason = engine.Run();
-    m_Statistics = engine.GetStatistics();
+    auto       engine = std::make_unique<DelaunayRefinementEngine>(oracle, parameters);
+    const auto reason = engine->Run();
+    m_Statistics = engine->GetStatistics();
     this->RenumberComponents(kept, parameters);
     this->ThrowUnlessCompleted(reason);
-    const DelaunayRefinementResult result = engine.TakeResult();
+    const DelaunayRefinementResult result = engine->TakeResult();
+    // The mesh goes where the triangulation was.
+    engine.reset();
     if (result.tetrahedra.empty())
     {
       itkExceptionMacro("No tetrahedron has its center in the object, which is too thin for the image's spacing");
