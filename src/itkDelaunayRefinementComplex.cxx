@@ -18,6 +18,7 @@
 #include "itkDelaunayRefinementComplex.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace itk
 {
@@ -33,11 +34,12 @@ DelaunayRefinementComplex::DelaunayRefinementComplex(const DelaunayRefinementOra
 bool
 DelaunayRefinementComplex::Start(const std::vector<PointType> & features,
                                  const std::vector<double> &    deltas,
+                                 const std::vector<PointType> & frees,
                                  DelaunayRefinementThreads &    threads,
                                  const std::function<bool()> &  keepGoing)
 {
   std::vector<PointType> points;
-  points.reserve(features.size() + 8);
+  points.reserve(features.size() + frees.size() + 8);
   this->AddVertex(VertexKind::BOX_EDGE, 0.0); // the infinite vertex
   m_NumbersOfVertices = {};
   for (unsigned int corner = 0; corner < 8; ++corner)
@@ -54,6 +56,11 @@ DelaunayRefinementComplex::Start(const std::vector<PointType> & features,
   {
     points.push_back(features[i]);
     this->AddVertex(VertexKind::FEATURE, deltas[i]);
+  }
+  for (const PointType & point : frees)
+  {
+    points.push_back(point);
+    this->AddVertex(VertexKind::FREE, 0.0);
   }
   if (!m_Triangulation.InsertMany(points, keepGoing, &threads) || !keepGoing())
   {
@@ -124,6 +131,10 @@ DelaunayRefinementComplex::Reinsert(IndexType vertex, const PointType & point, d
     return false;
   }
   m_Deltas[vertex] = delta;
+  if (vertex < m_NumberOfPlaced && m_Kinds[vertex] == VertexKind::FREE)
+  {
+    m_PlacesOfFree.Add(point);
+  }
   ++m_NumbersOfVertices[static_cast<std::size_t>(m_Kinds[vertex])];
   this->UpdateRegions(m_Triangulation.GetNewCells());
   return true;
@@ -186,6 +197,36 @@ DelaunayRefinementComplex::FindVerticesWithin(IndexType vertex, double radius, s
         }
       }
     }
+  }
+}
+
+void
+DelaunayRefinementComplex::FindFreeVerticesWithin(IndexType vertex, double radius, std::vector<IndexType> & found)
+{
+  found.clear();
+  if (this->GetNumberOfVertices(VertexKind::FREE) == 0)
+  {
+    return;
+  }
+  if (m_NumberOfPlaced == 0)
+  {
+    // A cube or so for each.
+    const PointType extent = DelaunayRefinementGeometry::Subtract(m_Box.maximum, m_Box.minimum);
+    const auto      number = static_cast<double>(this->GetNumberOfVertices(VertexKind::FREE));
+    m_PlacesOfFree.Start(m_Box.minimum, m_Box.maximum, std::cbrt(extent[0] * extent[1] * extent[2] / number));
+  }
+  for (; m_NumberOfPlaced < m_Kinds.size(); ++m_NumberOfPlaced)
+  {
+    if (m_Kinds[m_NumberOfPlaced] == VertexKind::FREE)
+    {
+      m_PlacesOfFree.Add(this->GetPoint(m_NumberOfPlaced));
+    }
+  }
+  if (m_PlacesOfFree.HasPointWithin(this->GetPoint(vertex), radius))
+  {
+    this->FindVerticesWithin(vertex, radius, found);
+    const auto isOther = [this](IndexType other) { return m_Kinds[other] != VertexKind::FREE; };
+    found.erase(std::remove_if(found.begin(), found.end(), isOther), found.end());
   }
 }
 

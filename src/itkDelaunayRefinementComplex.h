@@ -22,6 +22,7 @@
 #include "itkDelaunayRefinementOracle.h"
 #include "itkDelaunayRefinementThreads.h"
 #include "itkDelaunayRefinementBlocks.h"
+#include "itkDelaunayRefinementPointGrid.h"
 #include "itkDelaunayRefinementTriangulation.h"
 
 namespace itk
@@ -51,11 +52,12 @@ public:
   /** Callers round every point before they insert it. */
   DelaunayRefinementComplex(const DelaunayRefinementOracle & oracle, bool roundToFloat, const BoundsType & box);
 
-  /** Inserts the eight corners of the box, vertices 1 to 8, and feature vertices strictly inside it, with a delta for
-   * each. False if \c keepGoing, asked now and then, said so; the complex is of no use then. */
+  /** Inserts the eight corners of the box, vertices 1 to 8, and, strictly inside it, feature vertices, with a delta for
+   * each, and free vertices. False if \c keepGoing, asked now and then, said so; the complex is of no use then. */
   bool
   Start(const std::vector<PointType> & features,
         const std::vector<double> &    deltas,
+        const std::vector<PointType> & frees,
         DelaunayRefinementThreads &    threads,
         const std::function<bool()> &  keepGoing);
 
@@ -117,6 +119,10 @@ public:
   /** The vertices within \c radius of a vertex, itself left out, nearest links first. */
   void
   FindVerticesWithin(IndexType vertex, double radius, std::vector<IndexType> & found);
+
+  /** The free vertices among them. Fast where there are none. */
+  void
+  FindFreeVerticesWithin(IndexType vertex, double radius, std::vector<IndexType> & found);
 
   const DelaunayRefinementArray<IndexType> &
   GetNewCells() const
@@ -256,6 +262,10 @@ private:
   DelaunayRefinementArray<std::uint32_t> m_CellMarks{};
   std::uint32_t                          m_NumberOfSearches{ 0 };
   std::uint32_t                          m_NumberOfStars{ 0 };
+
+  // Where free vertices are or were, of the vertices up to a number.
+  DelaunayRefinementPointGrid m_PlacesOfFree{};
+  IndexType                   m_NumberOfPlaced{ 0 };
 };
 } // end namespace itk
 

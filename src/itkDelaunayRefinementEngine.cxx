@@ -25,6 +25,7 @@
 #include "itkDelaunayRefinementEncroachment.h"
 #include "itkDelaunayRefinementFlatTetrahedra.h"
 #include "itkDelaunayRefinementExtraction.h"
+#include "itkDelaunayRefinementInteriorSeeds.h"
 #include "itkDelaunayRefinementJunctionSample.h"
 #include "itkDelaunayRefinementLocalDelta.h"
 #include "itkDelaunayRefinementManifoldRepair.h"
@@ -131,7 +132,7 @@ private:
   RunAllPhases();
 
   bool
-  StartComplex(const std::vector<PointType> & seeds);
+  StartComplex(const std::vector<PointType> & features);
 
   DelaunayRefinementOracle::BoundsType
   ComputeBox() const;
@@ -276,34 +277,34 @@ DelaunayRefinementEngine::Impl::RunAllPhases()
   }
   m_Sample = std::make_unique<DelaunayRefinementSurfaceSample>(m_Oracle, m_LocalDelta, m_Parameters.roundToFloat);
   const auto             keepGoing = [this] { return this->KeepGoing(); };
-  std::vector<PointType> seeds =
+  std::vector<PointType> features =
     SampleDelaunayRefinementJunctions(m_Oracle, m_LocalDelta, m_Parameters.roundToFloat, keepGoing);
-  const std::size_t numberOfJunctions = seeds.size();
-  for (const PointType & seed : seeds)
+  const std::size_t numberOfJunctions = features.size();
+  for (const PointType & feature : features)
   {
-    m_Sample->Add(seed);
+    m_Sample->Add(feature);
   }
-  const bool isSampled = this->KeepGoing() && m_Sample->Certify(seeds, m_Threads, keepGoing);
+  const bool isSampled = this->KeepGoing() && m_Sample->Certify(features, m_Threads, keepGoing);
   m_Statistics.samplingSeconds = SecondsSince(start);
   if (!isSampled)
   {
     return m_Reason;
   }
   m_LocalDelta.Settle();
-  if (seeds.empty())
+  if (features.empty())
   {
     return TerminationReason::NO_SURFACE_FOUND;
   }
-  if (seeds.size() + 8 > m_Parameters.maximumNumberOfVertices)
+  if (features.size() + 8 > m_Parameters.maximumNumberOfVertices)
   {
     return TerminationReason::VERTEX_LIMIT;
   }
 
   m_Statistics.insertions[static_cast<std::size_t>(RefinementRule::JUNCTION)] = numberOfJunctions;
-  m_Statistics.insertions[static_cast<std::size_t>(RefinementRule::R1)] = seeds.size() - numberOfJunctions;
+  m_Statistics.insertions[static_cast<std::size_t>(RefinementRule::R1)] = features.size() - numberOfJunctions;
 
   start = Clock::now();
-  const bool isStarted = this->StartComplex(seeds);
+  const bool isStarted = this->StartComplex(features);
   m_Statistics.insertionSeconds = SecondsSince(start);
   if (!isStarted)
   {
@@ -351,13 +352,13 @@ DelaunayRefinementEngine::Impl::ComputeBox() const
 }
 
 bool
-DelaunayRefinementEngine::Impl::StartComplex(const std::vector<PointType> & seeds)
+DelaunayRefinementEngine::Impl::StartComplex(const std::vector<PointType> & features)
 {
   std::vector<double> deltas;
-  deltas.reserve(seeds.size());
-  for (const PointType & seed : seeds)
+  deltas.reserve(features.size());
+  for (const PointType & feature : features)
   {
-    deltas.push_back(m_LocalDelta.GetAt(seed));
+    deltas.push_back(m_LocalDelta.GetAt(feature));
   }
   m_Complex = std::make_unique<DelaunayRefinementComplex>(m_Oracle, m_Parameters.roundToFloat, this->ComputeBox());
   m_Rules = std::make_unique<DelaunayRefinementRules>(m_Oracle, m_Parameters, *m_Complex, m_LocalDelta, *m_Sample);
@@ -369,7 +370,16 @@ DelaunayRefinementEngine::Impl::StartComplex(const std::vector<PointType> & seed
     m_Parameters, m_Oracle, m_LocalDelta, *m_Rules, *m_Repair, *m_Sample, *m_Complex, m_Threads);
   m_Accuracy =
     std::make_unique<DelaunayRefinementAccuracy>(m_Oracle, m_Parameters, *m_Complex, m_LocalDelta, m_Threads);
-  if (!m_Complex->Start(seeds, deltas, m_Threads, [this] { return this->KeepGoing(); }))
+  std::vector<PointType> seeds =
+    FindDelaunayRefinementInteriorSeeds(m_Oracle, features, m_LocalDelta.GetMaximum(), m_Threads);
+  if (features.size() + seeds.size() + 8 > m_Parameters.maximumNumberOfVertices)
+  {
+    seeds.clear();
+  }
+  std::transform(
+    seeds.begin(), seeds.end(), seeds.begin(), [this](const PointType & seed) { return m_Complex->Round(seed); });
+  m_Statistics.insertions[static_cast<std::size_t>(RefinementRule::R2)] = seeds.size();
+  if (!m_Complex->Start(features, deltas, seeds, m_Threads, [this] { return this->KeepGoing(); }))
   {
     // Half a triangulation is none.
     m_Complex.reset();
@@ -668,17 +678,14 @@ DelaunayRefinementEngine::Impl::Insert(RefinementRule    rule,
   }
   ++m_Statistics.insertions[static_cast<std::size_t>(rule)];
   this->ExamineNewCells();
-  if (kind == VertexKind::FEATURE && m_Complex->GetNumberOfVertices(VertexKind::FREE) > 0)
+  if (kind == VertexKind::FEATURE)
   {
-    m_Complex->FindVerticesWithin(vertex, std::min(2.0 * delta, m_Parameters.cellSize), m_Found);
+    m_Complex->FindFreeVerticesWithin(vertex, std::min(2.0 * delta, m_Parameters.cellSize), m_Found);
     for (const IndexType found : m_Found)
     {
-      if (m_Complex->GetKind(found) == VertexKind::FREE)
-      {
-        m_Complex->Remove(found);
-        ++m_Statistics.removals;
-        this->ExamineNewCells();
-      }
+      m_Complex->Remove(found);
+      ++m_Statistics.removals;
+      this->ExamineNewCells();
     }
   }
   return vertex;

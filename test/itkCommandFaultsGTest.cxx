@@ -111,7 +111,7 @@ TEST_F(CommandFaults, InterruptsEndARunWithinASecond)
     CommandCircumstances interrupt;
     interrupt.signal = signal;
     interrupt.milliseconds = 1000;
-    const CommandRun run = RunCommand(this->Arguments("0.1"), interrupt);
+    const CommandRun run = RunCommand(this->Arguments("0.05"), interrupt);
     ExpectRefusal(run, 1, { "interrupted" });
     EXPECT_LT(run.secondsAfterSignal, 1.0);
     EXPECT_EQ(m_Folder.List(), m_Inputs);
