@@ -26,9 +26,10 @@
 namespace itk
 {
 /** \class DelaunayRefinementCellsContainer
- * \brief A mesh's cells in one piece of memory that belongs to their container.
+ * \brief A mesh's cells in large pieces of memory that belong to their container.
  *
- * A mesh takes a piece of memory for each cell otherwise, which takes longer than to fill them. To the mesh nothing
+ * A mesh takes a piece of memory for each cell otherwise, which takes longer than to fill them. Pieces are short enough
+ * to go where shorter arrays were, in memory that is in use already. To the mesh nothing
  * differs: it deletes cells one by one (CellsAllocatedDynamicallyCellByCell), those that were added later too, and
  * may share the container with other meshes. Cells are not to be used after their container is gone.
  *
@@ -60,7 +61,11 @@ public:
   void
   Allocate(std::size_t numberOfCells)
   {
-    m_Memory.reset(::operator new(numberOfCells * sizeof(CellInPlaceType<TCell>)));
+    m_Pieces.resize((numberOfCells + CellsPerPiece - 1) / CellsPerPiece);
+    for (auto & piece : m_Pieces)
+    {
+      piece.reset(::operator new(CellsPerPiece * sizeof(CellInPlaceType<TCell>)));
+    }
     this->CastToSTLContainer().resize(numberOfCells, nullptr);
   }
 
@@ -69,8 +74,9 @@ public:
   TCell *
   MakeCell(std::size_t number)
   {
+    char * const piece = static_cast<char *>(m_Pieces[number / CellsPerPiece].get());
     auto * const cell =
-      ::new (static_cast<char *>(m_Memory.get()) + number * sizeof(CellInPlaceType<TCell>)) CellInPlaceType<TCell>;
+      ::new (piece + number % CellsPerPiece * sizeof(CellInPlaceType<TCell>)) CellInPlaceType<TCell>;
     this->CastToSTLContainer()[number] = cell;
     return cell;
   }
@@ -81,6 +87,8 @@ protected:
   ~DelaunayRefinementCellsContainer() override = default;
 
 private:
+  static constexpr std::size_t CellsPerPiece = 1024;
+
   // Its memory stays where it is when it is deleted.
   template <typename TCell>
   class CellInPlaceType final : public TCell
@@ -103,7 +111,7 @@ private:
     }
   };
 
-  std::unique_ptr<void, ReleaseType> m_Memory{};
+  std::vector<std::unique_ptr<void, ReleaseType>> m_Pieces{};
 };
 } // end namespace itk
 

@@ -76,6 +76,12 @@ DelaunayRefinementVoxelCavities::JoinRows(const DelaunayRefinementVoxelComponent
   std::uint32_t       j = m_FirstGaps[other];
   const std::uint32_t endI = m_FirstGaps[row + 1];
   const std::uint32_t endJ = m_FirstGaps[other + 1];
+  const auto          isOutside = [](const GapType & gap) { return gap.root == 0; };
+  if (std::all_of(m_Gaps.begin() + i, m_Gaps.begin() + endI, isOutside) &&
+      std::all_of(m_Gaps.begin() + j, m_Gaps.begin() + endJ, isOutside))
+  {
+    return;
+  }
   this->JoinToOutside(components, i, endI, other);
   this->JoinToOutside(components, j, endJ, row);
   while (i < endI && j < endJ)

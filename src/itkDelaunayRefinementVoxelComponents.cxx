@@ -237,7 +237,20 @@ DelaunayRefinementVoxelComponents::JoinRows(std::size_t row, std::size_t other, 
   std::size_t       j = m_FirstRuns[other];
   const std::size_t endI = m_FirstRuns[row + 1];
   const std::size_t endJ = m_FirstRuns[other + 1];
-  const auto        joinIfNear = [this, reach](std::size_t one, std::size_t two) {
+  if (i == endI || j == endJ)
+  {
+    return;
+  }
+  // Most rows are of one component, and known to be.
+  const auto isOfFirst = [first = m_Runs[i].component](const RunType & run) { return run.component == first; };
+  const auto areOfFirst = [&](std::size_t begin, std::size_t end) {
+    return std::all_of(m_Runs.data() + begin, m_Runs.data() + end, isOfFirst);
+  };
+  if (areOfFirst(j, endJ) && areOfFirst(i, endI))
+  {
+    return;
+  }
+  const auto joinIfNear = [this, reach](std::size_t one, std::size_t two) {
     const RunType & a = m_Runs[one];
     const RunType & b = m_Runs[two];
     if (a.component != b.component && a.first <= b.last + reach && b.first <= a.last + reach &&
@@ -268,14 +281,14 @@ DelaunayRefinementVoxelComponents::JoinSlices(std::int32_t begin, std::int32_t e
 {
   for (std::int32_t z = begin; z < end; ++z)
   {
+    if (z > begin)
+    {
+      this->JoinSliceToPrevious(z);
+    }
     const std::size_t first = static_cast<std::size_t>(z) * m_Size[1];
     for (std::size_t row = first + 1; row < first + m_Size[1]; ++row)
     {
       this->JoinRows(row, row - 1, 1);
-    }
-    if (z > begin)
-    {
-      this->JoinSliceToPrevious(z);
     }
   }
 }
