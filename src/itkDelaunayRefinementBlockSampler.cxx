@@ -46,6 +46,9 @@ constexpr std::int32_t GreatestIndex = 1 << 30;
 /** More vertices around a group make it worth looking for those around each patch. */
 constexpr std::size_t MostNearbyPoints = 64;
 
+/** It takes less time to look at all of so many vertices than to find those nearby in a grid. */
+constexpr std::size_t FewVertices = 1024;
+
 /** The radius of a word's cells over delta, at most. */
 constexpr double SampledCell = 0.75;
 
@@ -192,8 +195,19 @@ DelaunayRefinementBlockSampler::Enter(std::size_t number)
   m_AllVertices.FindWithinOfBox(center, halfExtents, reach, m_Found);
   // A copy, which fits a cache: m_AllVertices stays as it is until all threads are done with the color.
   m_Vertices.Start(minimum, maximum, CubeSize * block.sumOfDeltas / static_cast<double>(m_Words->GetSize()));
-  std::for_each(m_Found.begin(), m_Found.end(), [this](const PointType & vertex) { m_Vertices.Add(vertex); });
+  m_FewVertices.Start(center, std::sqrt(Geometry::Dot(halfExtents, halfExtents)));
+  std::for_each(m_Found.begin(), m_Found.end(), [this](const PointType & vertex) { this->AddVertex(vertex); });
   m_NumberOfOldVertices = m_Found.size();
+}
+
+void
+DelaunayRefinementBlockSampler::AddVertex(const PointType & vertex)
+{
+  m_Vertices.Add(vertex);
+  if (m_FewVertices.GetSize() <= FewVertices)
+  {
+    m_FewVertices.Add(vertex);
+  }
 }
 
 bool
@@ -289,7 +303,7 @@ DelaunayRefinementBlockSampler::SamplePatch(const PatchesType::IdentifierType & 
   {
     std::transform(point.begin(), point.end(), point.begin(), Geometry::RoundToFloat);
   }
-  m_Vertices.Add(point);
+  this->AddVertex(point);
   m_Cover.CoverFrom(point, m_Block);
   return OutcomeEnum::INSERTED;
 }
@@ -299,7 +313,17 @@ DelaunayRefinementBlockSampler::FindNearby(const WordType & word, std::uint64_t 
 {
   m_Words->GetBox(word, cells, m_Center, m_HalfExtents);
   m_Found.clear();
-  m_Vertices.FindWithinOfBox(m_Center, m_HalfExtents, word.delta, m_Found);
+  if (m_FewVertices.GetSize() > FewVertices)
+  {
+    m_Vertices.FindWithinOfBox(m_Center, m_HalfExtents, word.delta, m_Found);
+    return;
+  }
+  m_FoundFew.clear();
+  m_FewVertices.FindWithinOfBox(m_Center, m_HalfExtents, word.delta, m_FoundFew);
+  for (const std::uint32_t number : m_FoundFew)
+  {
+    m_Found.push_back(m_Vertices.GetPoints()[number]);
+  }
 }
 
 bool

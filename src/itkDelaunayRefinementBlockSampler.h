@@ -105,6 +105,9 @@ private:
   void
   FindNearby(const WordType & word, std::uint64_t cells);
 
+  void
+  AddVertex(const PointType & vertex);
+
   /** Starts with the vertices around a block. */
   void
   Enter(std::size_t block);
@@ -132,6 +135,7 @@ private:
   DelaunayRefinementSurfaceWords * m_Words{ nullptr };
   DelaunayRefinementPointGrid      m_Vertices{}; // those around it first
   std::size_t                      m_NumberOfOldVertices{ 0 };
+  DelaunayRefinementNearbyPoints   m_FewVertices{}; // the same in the same order, as long as they are few
 
   // Scratch of single calls.
   std::vector<std::uint32_t>         m_Order{};
@@ -140,6 +144,7 @@ private:
   PointType                          m_Center{}; // of the box around which m_Found was
   PointType                          m_HalfExtents{};
   DelaunayRefinementArray<PointType> m_Found{};
+  std::vector<std::uint32_t>         m_FoundFew{};
   DelaunayRefinementNearbyPoints     m_Nearby{};
 };
 } // end namespace itk

@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkDelaunayRefinementNearbyPoints.h"
 
+#include "itkDelaunayRefinementBits.h"
 #include "itkDelaunayRefinementWideLoops.h"
 
 #include <cmath>
@@ -100,6 +101,45 @@ DelaunayRefinementNearbyPoints::HasPointWithin(const PointType & point, double r
     }
   }
   return false;
+}
+
+ITK_DELAUNAY_REFINEMENT_WIDE_LOOPS
+void
+DelaunayRefinementNearbyPoints::FindWithinOfBox(const PointType &            center,
+                                                const PointType &            halfExtents,
+                                                double                       radius,
+                                                std::vector<std::uint32_t> & found) const
+{
+  const LocalPointType place{ static_cast<float>(center[0] - m_Origin[0]),
+                              static_cast<float>(center[1] - m_Origin[1]),
+                              static_cast<float>(center[2] - m_Origin[2]) };
+  const BoxType        half{ static_cast<float>(halfExtents[0]),
+                      static_cast<float>(halfExtents[1]),
+                      static_cast<float>(halfExtents[2]) };
+  const float          squaredRadius = Square(static_cast<float>(radius));
+  const auto           beyond = [](float coordinate, float middle, float extent) {
+    const float distance = std::abs(coordinate - middle) - extent;
+    return 0.5f * (distance + std::abs(distance));
+  };
+  for (std::size_t number = 0; number < m_Blocks.size(); ++number)
+  {
+    const BlockType & block = m_Blocks[number];
+    std::int32_t      within = 0;
+#ifdef __GNUC__
+#  pragma GCC unroll 1
+#endif
+    for (std::size_t i = 0; i < BlockSize; ++i)
+    {
+      const float dx = beyond(block[0][i], place[0], half[0]);
+      const float dy = beyond(block[1][i], place[1], half[1]);
+      const float dz = beyond(block[2][i], place[2], half[2]);
+      within |= dx * dx + dy * dy + dz * dz <= squaredRadius ? 1 << i : 0;
+    }
+    for (auto bits = static_cast<std::uint64_t>(within); bits != 0; bits &= bits - 1)
+    {
+      found.push_back(static_cast<std::uint32_t>(number * BlockSize + FindDelaunayRefinementBit(bits)));
+    }
+  }
 }
 
 ITK_DELAUNAY_REFINEMENT_WIDE_LOOPS

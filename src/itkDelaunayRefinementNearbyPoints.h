@@ -83,6 +83,20 @@ public:
   bool
   HasPointWithin(const PointType & point, double radius) const;
 
+  /** Appends the numbers, in the order in which they were added, of the points within \c radius of a box, give or take
+   * the rounding to single precision. */
+  void
+  FindWithinOfBox(const PointType &            center,
+                  const PointType &            halfExtents,
+                  double                       radius,
+                  std::vector<std::uint32_t> & found) const;
+
+  std::size_t
+  GetSize() const
+  {
+    return m_NumberOfPoints;
+  }
+
 private:
   static constexpr std::size_t BlockSize = 8;
 
