@@ -192,7 +192,8 @@ DelaunayRefinementPatchCover::CoverFrom(const PointType & vertex)
     {
       for (std::int32_t x = cubes.first[0] / m_BlockSize[0]; x <= cubes.last[0] / m_BlockSize[0]; ++x)
       {
-        this->Cover(vertex, cubes, this->ToBlock({ x, y, z }));
+        const std::size_t number = this->ToBlock({ x, y, z });
+        this->Cover(m_Blocks[number].words.FindPlace(vertex), cubes, number);
       }
     }
   }
@@ -202,6 +203,7 @@ void
 DelaunayRefinementPatchCover::CoverFrom(const PointType & vertex, std::size_t block)
 {
   RangeType        cubes = this->FindReach(vertex);
+  const auto       place = m_Blocks[block].words.FindPlace(vertex);
   const CubeType & first = m_Blocks[block].first;
   const CubeType & last = m_Blocks[block].last;
   CubeType         before;
@@ -222,14 +224,16 @@ DelaunayRefinementPatchCover::CoverFrom(const PointType & vertex, std::size_t bl
       {
         const std::ptrdiff_t offset =
           (static_cast<std::ptrdiff_t>(z) * m_BlocksPerAxis[1] + y) * m_BlocksPerAxis[0] + x;
-        this->Cover(vertex, cubes, block + offset);
+        this->Cover(place, cubes, block + offset);
       }
     }
   }
 }
 
 void
-DelaunayRefinementPatchCover::Cover(const PointType & vertex, const RangeType & cubes, std::size_t number)
+DelaunayRefinementPatchCover::Cover(const DelaunayRefinementSurfaceWords::PlaceType & vertex,
+                                    const RangeType &                                 cubes,
+                                    std::size_t                                       number)
 {
   BlockType & block = m_Blocks[number];
   CubeType    first;

@@ -134,7 +134,7 @@ private:
 
   /** Clears cells of one block, in some cubes. */
   void
-  Cover(const PointType & vertex, const RangeType & cubes, std::size_t block);
+  Cover(const DelaunayRefinementSurfaceWords::PlaceType & vertex, const RangeType & cubes, std::size_t block);
 
   /** Of a block among the blocks. */
   CubeType

@@ -70,12 +70,18 @@ DelaunayRefinementSurfaceWords::Add(const CellsType & cells, const DelaunayRefin
   m_Words.push_back(word);
 }
 
+DelaunayRefinementSurfaceWords::PlaceType
+DelaunayRefinementSurfaceWords::FindPlace(const PointType & point) const
+{
+  const PointType place = this->ToAxes(point);
+  return { static_cast<float>(place[0]), static_cast<float>(place[1]), static_cast<float>(place[2]) };
+}
+
 ITK_DELAUNAY_REFINEMENT_WIDE_LOOPS
 void
-DelaunayRefinementSurfaceWords::CoverFrom(const PointType & vertex, std::size_t begin, std::size_t end)
+DelaunayRefinementSurfaceWords::CoverFrom(const PlaceType & vertex, std::size_t begin, std::size_t end)
 {
   constexpr std::int32_t side = CellsType::CellsPerSide;
-  const PointType        place = this->ToAxes(vertex);
   for (std::size_t number = begin; number < end; ++number)
   {
     WordType & word = m_Words[number];
@@ -88,7 +94,7 @@ DelaunayRefinementSurfaceWords::CoverFrom(const PointType & vertex, std::size_t 
     for (unsigned int i = 0; i < 3; ++i)
     {
       const float half = 0.5f * side * word.edges[i];
-      offsets[i] = static_cast<float>(place[i]) - word.corner[i];
+      offsets[i] = vertex[i] - word.corner[i];
       const float beyond = std::abs(offsets[i] - half) - half;
       const float positive = 0.5f * (beyond + std::abs(beyond));
       squaredDistance += positive * positive;

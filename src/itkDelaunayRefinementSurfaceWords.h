@@ -57,9 +57,16 @@ public:
   void
   Add(const CellsType & cells, const DelaunayRefinementLocalDelta::RangeType & delta);
 
+  /** A place along the axes, from the origin. */
+  using PlaceType = std::array<float, 3>;
+
+  /** That of a point; the same for all words with one origin and axes. */
+  PlaceType
+  FindPlace(const PointType & point) const;
+
   /** Clears the cells that a vertex covers in the words \c begin to \c end (not included). */
   void
-  CoverFrom(const PointType & vertex, std::size_t begin, std::size_t end);
+  CoverFrom(const PlaceType & vertex, std::size_t begin, std::size_t end);
 
   std::size_t
   GetSize() const
