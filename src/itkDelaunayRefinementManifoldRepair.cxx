@@ -58,28 +58,38 @@ DelaunayRefinementManifoldRepair::Run()
   const std::vector<IndexType> found = FindNonManifoldDelaunayRefinementVertices(m_Complex, m_Threads);
   std::deque<IndexType>        vertices(found.begin(), found.end());
   std::vector<IndexType>       left;
+  m_IsBad.assign(m_Complex.GetTriangulation().GetNumberOfVertexIndexes(), false);
+  for (const IndexType vertex : found)
+  {
+    m_IsBad[vertex] = true;
+  }
   while (!vertices.empty())
   {
-    const IndexType   vertex = vertices.front();
-    const OutcomeEnum outcome = this->Mend(vertex);
+    const IndexType vertex = vertices.front();
     vertices.pop_front();
-    if (outcome == OutcomeEnum::LEFT)
+    if (!m_IsBad[vertex])
+    {
+      continue;
+    }
+    if (!this->Mend(vertex))
     {
       left.push_back(vertex);
+      continue;
     }
-    else if (outcome == OutcomeEnum::MENDED)
+    for (std::size_t i = 0; i < m_Concerned.size(); ++i)
     {
-      // Others may find help now, too.
-      vertices.insert(vertices.end(), m_StillBad.begin(), m_StillBad.end());
+      m_IsBad[m_Concerned[i]] = m_BadAfter[i] > 0;
+      if (m_BadAfter[i] > 0)
+      {
+        // It may find help now.
+        vertices.push_back(m_Concerned[i]);
+      }
     }
   }
-  const auto isGood = [this](IndexType vertex) {
-    m_Star.Find(m_Complex, vertex);
-    return m_Star.CountBadPlaces() == 0;
-  };
   std::sort(left.begin(), left.end());
   left.erase(std::unique(left.begin(), left.end()), left.end());
-  left.erase(std::remove_if(left.begin(), left.end(), isGood), left.end());
+  left.erase(std::remove_if(left.begin(), left.end(), [this](IndexType vertex) { return !m_IsBad[vertex]; }),
+             left.end());
   return left;
 }
 
@@ -93,15 +103,11 @@ DelaunayRefinementManifoldRepair::Undo()
   m_OwnRegions.clear();
 }
 
-DelaunayRefinementManifoldRepair::OutcomeEnum
+bool
 DelaunayRefinementManifoldRepair::Mend(IndexType vertex)
 {
   m_Star.Find(m_Complex, vertex);
   const unsigned int numberBefore = m_Star.CountBadPlaces();
-  if (numberBefore == 0)
-  {
-    return OutcomeEnum::GOOD;
-  }
   m_Candidates.clear();
   m_CellsOfCandidates.clear();
   m_NextSets = SetsEnum::CELLS;
@@ -124,14 +130,14 @@ DelaunayRefinementManifoldRepair::Mend(IndexType vertex)
       const bool isBetter = m_Star.CountBadPlaces() < numberBefore;
       m_Star.GetRegions() = regions;
       if (isBetter && this->MayChange(cells, candidate.region, turn > 0) &&
-          this->ComputeGain(cells, candidate.region) > 0)
+          this->LeavesFewerBad(cells, candidate.region))
       {
         this->Change(cells, candidate.region);
-        return OutcomeEnum::MENDED;
+        return true;
       }
     }
   }
-  return OutcomeEnum::LEFT;
+  return false;
 }
 
 void
@@ -225,41 +231,45 @@ DelaunayRefinementManifoldRepair::AddCandidates(const std::uint32_t * cells, std
   }
 }
 
-int
-DelaunayRefinementManifoldRepair::ComputeGain(const std::vector<IndexType> & cells, RegionType region)
+bool
+DelaunayRefinementManifoldRepair::LeavesFewerBad(const std::vector<IndexType> & cells, RegionType region)
 {
-  std::vector<IndexType> vertices;
+  m_Concerned.clear();
   for (const IndexType cell : cells)
   {
     for (const IndexType vertex : m_Complex.GetTriangulation().GetCell(cell).vertices)
     {
-      if (!Contains(vertices, vertex))
+      if (!Contains(m_Concerned, vertex))
       {
-        vertices.push_back(vertex);
+        m_Concerned.push_back(vertex);
       }
     }
   }
   int gain = 0;
-  m_StillBad.clear();
-  for (const IndexType vertex : vertices)
+  m_BadAfter.assign(m_Concerned.size(), 0);
+  // Good vertices can only become worse: they are asked as long as there is something to lose.
+  for (const bool isBad : { true, false })
   {
-    m_OtherStar.Find(m_Complex, vertex);
-    gain += static_cast<int>(m_OtherStar.CountBadPlaces());
-    for (std::size_t i = 0; i < m_OtherStar.GetCells().size(); ++i)
+    for (std::size_t i = 0; i < m_Concerned.size() && (isBad || gain > 0); ++i)
     {
-      if (Contains(cells, m_OtherStar.GetCells()[i].index))
+      if (m_IsBad[m_Concerned[i]] != isBad)
       {
-        m_OtherStar.GetRegions()[i] = region;
+        continue;
       }
-    }
-    const unsigned int numberAfter = m_OtherStar.CountBadPlaces();
-    gain -= static_cast<int>(numberAfter);
-    if (numberAfter > 0)
-    {
-      m_StillBad.push_back(vertex);
+      m_OtherStar.Find(m_Complex, m_Concerned[i]);
+      gain += isBad ? static_cast<int>(m_OtherStar.CountBadPlaces()) : 0;
+      for (std::size_t j = 0; j < m_OtherStar.GetCells().size(); ++j)
+      {
+        if (Contains(cells, m_OtherStar.GetCells()[j].index))
+        {
+          m_OtherStar.GetRegions()[j] = region;
+        }
+      }
+      m_BadAfter[i] = m_OtherStar.CountBadPlaces();
+      gain -= static_cast<int>(m_BadAfter[i]);
     }
   }
-  return gain;
+  return gain > 0;
 }
 
 bool

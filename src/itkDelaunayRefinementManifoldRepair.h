@@ -99,15 +99,8 @@ private:
     RegionType  region;
   };
 
-  enum class OutcomeEnum : uint8_t
-  {
-    GOOD,
-    MENDED, // in part, at least
-    LEFT
-  };
-
-  /** Makes a change at a vertex that is not good, and lists where that leaves others or itself so. */
-  OutcomeEnum
+  /** Makes a change that leaves fewer bad places, at a vertex with some; false if there is none. */
+  bool
   Mend(IndexType vertex);
 
   void
@@ -129,9 +122,9 @@ private:
   void
   AddCandidates(const std::uint32_t * cells, std::size_t numberOfCells);
 
-  /** Bad places at the vertices of some cells before a change, less those after it; lists where the latter are. */
-  int
-  ComputeGain(const std::vector<IndexType> & cells, RegionType region);
+  /** Whether a change leaves fewer bad places at the vertices of some cells, which it lists with those left. */
+  bool
+  LeavesFewerBad(const std::vector<IndexType> & cells, RegionType region);
 
   /** Whether the facets that would part regions may do so, and rules leave alone what would come inside; no slivers
    * among that unless \c maySlivers is set. */
@@ -157,7 +150,9 @@ private:
   SetsEnum                                m_NextSets{ SetsEnum::CELLS };
   std::vector<RegionType>                 m_RegionsBeside{};
   std::vector<std::vector<std::uint32_t>> m_Parts{};
-  std::vector<IndexType>                  m_StillBad{};
+  std::vector<bool>                       m_IsBad{};      // of vertices, while it runs
+  std::vector<IndexType>                  m_Concerned{};  // by the last change that was asked about
+  std::vector<unsigned int>               m_BadAfter{};   // their bad places, if it leaves fewer
   std::map<IndexType, RegionType>         m_OwnRegions{}; // of the circumcenters, where they are others
 };
 } // end namespace itk
