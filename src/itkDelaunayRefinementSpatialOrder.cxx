@@ -31,47 +31,41 @@ constexpr std::size_t NumberOfFirst = 8;
 /** A round has three times as many points as all before it. */
 constexpr unsigned int BitsOfRound = 2;
 
-/** The position along Hilbert's curve of a cube with \c bitsPerAxis bits along each axis (after J. Skilling,
- * "Programming the Hilbert curve", 2004). */
+/** Ten bits, two zeros before each. */
+std::uint32_t
+Spread(std::uint32_t bits)
+{
+  bits = (bits | bits << 16) & 0x030000FFu;
+  bits = (bits | bits << 8) & 0x0300F00Fu;
+  bits = (bits | bits << 4) & 0x030C30C3u;
+  return (bits | bits << 2) & 0x09249249u;
+}
+
+/** The position along Hilbert's curve of a cube with \c bitsPerAxis bits along each axis, ten at most (after J.
+ * Skilling, "Programming the Hilbert curve", 2004). */
 std::uint32_t
 ComputeHilbertIndex(std::array<std::uint32_t, 3> x, unsigned int bitsPerAxis)
 {
-  for (std::uint32_t bit = 1u << (bitsPerAxis - 1); bit > 1; bit >>= 1)
+  // Which bits are set no processor foresees: all is done for either case.
+  for (unsigned int place = bitsPerAxis - 1; place > 0; --place)
   {
-    const std::uint32_t lower = bit - 1;
+    const std::uint32_t lower = (1u << place) - 1;
     for (std::uint32_t & coordinate : x)
     {
-      if (coordinate & bit)
-      {
-        x[0] ^= lower;
-      }
-      else
-      {
-        const std::uint32_t change = (x[0] ^ coordinate) & lower;
-        x[0] ^= change;
-        coordinate ^= change;
-      }
+      const std::uint32_t isSet = 0u - (coordinate >> place & 1u);
+      const std::uint32_t change = (x[0] ^ coordinate) & lower & ~isSet;
+      coordinate ^= change;
+      x[0] ^= change | (lower & isSet);
     }
   }
   x[1] ^= x[0];
   x[2] ^= x[1];
   std::uint32_t gray = 0;
-  for (std::uint32_t bit = 1u << (bitsPerAxis - 1); bit > 1; bit >>= 1)
+  for (unsigned int place = bitsPerAxis - 1; place > 0; --place)
   {
-    if (x[2] & bit)
-    {
-      gray ^= bit - 1;
-    }
+    gray ^= (0u - (x[2] >> place & 1u)) & ((1u << place) - 1);
   }
-  std::uint32_t index = 0;
-  for (unsigned int bit = bitsPerAxis; bit-- > 0;)
-  {
-    for (const std::uint32_t coordinate : x)
-    {
-      index = index << 1 | ((coordinate ^ gray) >> bit & 1u);
-    }
-  }
-  return index;
+  return Spread(x[0] ^ gray) << 2 | Spread(x[1] ^ gray) << 1 | Spread(x[2] ^ gray);
 }
 
 /** Random bits that depend on a number alone (S. Vigna, "splitmix64", 2015). */
