@@ -131,6 +131,24 @@ public:
 /** A vector that may be large; resize() leaves new numbers as they are. */
 template <typename TElement>
 using DelaunayRefinementArray = std::vector<TElement, DelaunayRefinementAllocator<TElement>>;
+
+/** Lengthens an array, never shortens it. If it has to move, it gets room for as much again: what is not used yet takes
+ * no time. */
+template <typename TElement>
+void
+LengthenDelaunayRefinementArray(DelaunayRefinementArray<TElement> & array,
+                                std::size_t                         length,
+                                const TElement &                    value = TElement())
+{
+  if (length > array.capacity())
+  {
+    array.reserve(2 * length);
+  }
+  if (length > array.size())
+  {
+    array.resize(length, value);
+  }
+}
 } // end namespace itk
 
 #endif

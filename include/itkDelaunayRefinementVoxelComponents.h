@@ -185,7 +185,7 @@ private:
   RunsType                              m_Runs{};
   /** For each run; empty without regions. */
   DelaunayRefinementArray<DelaunayRefinementRegion> m_Regions{};
-  DelaunayRefinementArray<std::size_t>              m_FirstRuns{};
+  DelaunayRefinementArray<ComponentType>            m_FirstRuns{};
   std::vector<ComponentInfoType>                    m_Components{};
 };
 } // end namespace itk

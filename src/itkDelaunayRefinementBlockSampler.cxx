@@ -135,7 +135,7 @@ DelaunayRefinementBlockSampler::Collect(const PatchesType & roots, std::size_t n
   {
     return;
   }
-  block.words.Start(roots.GetOrigin(), m_Oracle.GetCellAxes());
+  block.words.Start(roots.GetOrigin(), m_Oracle.GetCellAxes(), block.end - block.begin);
   for (std::uint32_t i = block.begin; i < block.end; ++i)
   {
     auto &              group = m_Cover.GetGroup(i);

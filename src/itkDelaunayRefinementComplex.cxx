@@ -67,7 +67,7 @@ DelaunayRefinementComplex::Start(const std::vector<PointType> & features,
     return false;
   }
   const auto & cells = m_Triangulation.GetNewCells();
-  m_Regions.resize(m_Triangulation.GetNumberOfCellIndexes());
+  LengthenDelaunayRefinementArray(m_Regions, m_Triangulation.GetNumberOfCellIndexes());
   constexpr std::size_t cellsPerPiece = 4096;
   DelaunayRefinementThreads::RunPieces(
     &threads, cells.size(), cellsPerPiece, [&](std::size_t, std::size_t begin, std::size_t end) {
@@ -85,7 +85,7 @@ DelaunayRefinementComplex::Reserve(StarType & star, VertexKind kind, double delt
     return false;
   }
   this->AddVertex(kind, delta);
-  m_Regions.resize(m_Triangulation.GetNumberOfCellIndexes());
+  LengthenDelaunayRefinementArray(m_Regions, m_Triangulation.GetNumberOfCellIndexes());
   return true;
 }
 
@@ -154,8 +154,8 @@ DelaunayRefinementComplex::FindVerticesWithin(IndexType vertex, double radius, s
   // From any vertex of a Delaunay triangulation some edge leads nearer to a given other one, so that links between
   // vertices of the ball reach all of them.
   found.clear();
-  m_VertexMarks.resize(m_Triangulation.GetNumberOfVertexIndexes(), 0);
-  m_CellMarks.resize(m_Triangulation.GetNumberOfCellIndexes(), 0);
+  LengthenDelaunayRefinementArray(m_VertexMarks, m_Triangulation.GetNumberOfVertexIndexes());
+  LengthenDelaunayRefinementArray(m_CellMarks, m_Triangulation.GetNumberOfCellIndexes());
   ++m_NumberOfSearches;
   const PointType center = this->GetPoint(vertex);
   const double    squaredRadius = radius * radius;
@@ -241,7 +241,7 @@ DelaunayRefinementComplex::AddVertex(VertexKind kind, double delta)
 void
 DelaunayRefinementComplex::UpdateRegions(const DelaunayRefinementArray<IndexType> & cells)
 {
-  m_Regions.resize(m_Triangulation.GetNumberOfCellIndexes());
+  LengthenDelaunayRefinementArray(m_Regions, m_Triangulation.GetNumberOfCellIndexes());
   for (const IndexType cell : cells)
   {
     this->UpdateRegion(cell);

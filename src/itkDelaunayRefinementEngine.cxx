@@ -417,7 +417,7 @@ void
 DelaunayRefinementEngine::Impl::ExamineNewCells()
 {
   const auto & triangulation = m_Complex->GetTriangulation();
-  m_ExaminedIn.resize(triangulation.GetNumberOfCellIndexes(), 0);
+  LengthenDelaunayRefinementArray(m_ExaminedIn, triangulation.GetNumberOfCellIndexes());
   ++m_NumberOfExaminations;
   m_Findings.clear();
   for (const IndexType cell : m_Complex->GetNewCells())

@@ -38,13 +38,14 @@ Join(std::int32_t low, std::int32_t high)
 } // namespace
 
 void
-DelaunayRefinementSurfaceWords::Start(const PointType & origin, const AxesType & axes)
+DelaunayRefinementSurfaceWords::Start(const PointType & origin, const AxesType & axes, std::size_t numberOfWords)
 {
   m_Axes = axes;
   m_InverseAxes = Geometry::Invert(axes);
   m_Origin = {};
   m_Origin = this->ToAxes(origin);
   m_Words.clear();
+  m_Words.reserve(numberOfWords);
 }
 
 DelaunayRefinementSurfaceWords::PointType

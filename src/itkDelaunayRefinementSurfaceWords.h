@@ -49,9 +49,9 @@ public:
     double                      delta; // all over it if that is uniform, else the greatest
   };
 
-  /** Forgets all words. The nearer they are to \c origin, the less is lost to rounding. */
+  /** Forgets all words, and makes room for some. The nearer they are to \c origin, the less is lost to rounding. */
   void
-  Start(const PointType & origin, const AxesType & axes);
+  Start(const PointType & origin, const AxesType & axes, std::size_t numberOfWords = 0);
 
   /** A word of cells that vertices within the least delta cover; none is covered as yet. */
   void

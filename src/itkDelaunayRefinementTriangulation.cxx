@@ -120,7 +120,7 @@ DelaunayRefinementTriangulation::MakeStar(const PointType & point, IndexType hin
 void
 DelaunayRefinementTriangulation::StartBatch()
 {
-  m_Batches.resize(m_Cells.size(), 0);
+  LengthenDelaunayRefinementArray(m_Batches, m_Cells.size());
   ++m_NumberOfBatches;
 }
 

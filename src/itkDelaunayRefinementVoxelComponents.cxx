@@ -51,10 +51,10 @@ FindBit(const TWordAt & wordAt, std::int32_t from, std::int32_t end)
 }
 
 /** A run also ends where \c changes, if there are any, says so. */
-std::size_t
+ComponentType
 CountRuns(const std::uint64_t * words, const std::uint64_t * changes, std::size_t numberOfWords)
 {
-  std::size_t   count = 0;
+  ComponentType count = 0;
   std::uint64_t carry = 0;
   for (std::size_t i = 0; i < numberOfWords; ++i)
   {
@@ -182,7 +182,7 @@ DelaunayRefinementVoxelComponents::FindRuns(const DelaunayRefinementVoxelMask & 
   {
     firstOfPieces[i] += firstOfPieces[i - 1];
   }
-  m_FirstRuns[rows] = firstOfPieces.back();
+  m_FirstRuns[rows] = static_cast<ComponentType>(firstOfPieces.back());
   m_Runs.resize(firstOfPieces.back());
   Threads::RunPieces(threads, rows, length, [&](std::size_t piece, std::size_t begin, std::size_t end) {
     std::size_t next = firstOfPieces[piece];
@@ -196,7 +196,7 @@ DelaunayRefinementVoxelComponents::FindRuns(const DelaunayRefinementVoxelMask & 
         return changesHere == nullptr ? ~words[word] : ~words[word] | changesHere[word];
       };
       const std::int32_t endOfBits = m_Size[0] + 1;
-      m_FirstRuns[row] = next;
+      m_FirstRuns[row] = static_cast<ComponentType>(next);
       for (std::int32_t bit = 1; next < endOfRow; ++next)
       {
         const std::int32_t first = FindBit(inside, bit, endOfBits);
@@ -379,7 +379,7 @@ DelaunayRefinementVoxelComponents::Remove(const std::vector<bool> & isRemoved, D
     for (std::int32_t y = 0; y < m_Size[1]; ++y, ++row)
     {
       const std::size_t begin = m_FirstRuns[row];
-      m_FirstRuns[row] = kept;
+      m_FirstRuns[row] = static_cast<ComponentType>(kept);
       for (std::size_t i = begin; i < m_FirstRuns[row + 1]; ++i)
       {
         const RunType run = m_Runs[i];
@@ -398,7 +398,7 @@ DelaunayRefinementVoxelComponents::Remove(const std::vector<bool> & isRemoved, D
       }
     }
   }
-  m_FirstRuns[row] = kept;
+  m_FirstRuns[row] = static_cast<ComponentType>(kept);
   m_Runs.resize(kept);
   m_Regions.resize(m_Regions.empty() ? 0 : kept);
 }
