@@ -194,6 +194,9 @@ struct DelaunayRefinementStatistics
   /** Vertices inserted by each rule, indexed by DelaunayRefinementEnums::RefinementRule. */
   std::array<std::size_t, DelaunayRefinementEnums::NumberOfRefinementRules> insertions{};
 
+  /** Those of R2's vertices that were inserted with the first ones, where it would have asked for many. */
+  std::size_t seeds{ 0 };
+
   /** Circumcenters of R2 replaced by each case, indexed by DelaunayRefinementEnums::EncroachmentCase (NONE is unused).
    */
   std::array<std::size_t, DelaunayRefinementEnums::NumberOfEncroachmentCases> encroachments{};

@@ -378,6 +378,7 @@ DelaunayRefinementEngine::Impl::StartComplex(const std::vector<PointType> & feat
   }
   std::transform(
     seeds.begin(), seeds.end(), seeds.begin(), [this](const PointType & seed) { return m_Complex->Round(seed); });
+  m_Statistics.seeds = seeds.size();
   m_Statistics.insertions[static_cast<std::size_t>(RefinementRule::R2)] = seeds.size();
   if (!m_Complex->Start(features, deltas, seeds, m_Threads, [this] { return this->KeepGoing(); }))
   {

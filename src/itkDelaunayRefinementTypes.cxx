@@ -38,7 +38,7 @@ operator<<(std::ostream & out, const DelaunayRefinementStatistics & statistics)
   {
     out << ' ' << static_cast<DelaunayRefinementEnums::RefinementRule>(i) << ' ' << statistics.insertions[i];
   }
-  out << "; encroachments";
+  out << "; seeds " << statistics.seeds << "; encroachments";
   for (unsigned int i = 1; i < statistics.encroachments.size(); ++i)
   {
     out << ' ' << static_cast<DelaunayRefinementEnums::EncroachmentCase>(i) << ' ' << statistics.encroachments[i];

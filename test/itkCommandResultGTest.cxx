@@ -112,7 +112,7 @@ TEST_F(CommandResult, ReportHasTimesRulesAndQuality)
     EXPECT_GT(report.at("seconds").at(phase), 0.0) << phase;
   }
 
-  for (const char * rule : { "R1", "R2", "R3", "R4", "R4'", "cell_size", "E1", "E2", "E3", "removals" })
+  for (const char * rule : { "R1", "R2", "R3", "R4", "R4'", "cell_size", "E1", "E2", "E3", "seeds", "removals" })
   {
     EXPECT_TRUE(report.at("rules").at(rule).is_number_unsigned()) << rule;
   }

@@ -100,7 +100,7 @@ TEST(DelaunayRefinementSurfaceWords, ClearsTheCellsWithinReach)
     for (unsigned int i = 0; i < 4; ++i)
     {
       const PointType vertex = Add(origin, { offset(random), offset(random), offset(random) });
-      words.CoverFrom(vertex, 0, 1);
+      words.CoverFrom(words.FindPlace(vertex), 0, 1);
       for (unsigned int bit = 0; bit < 64; ++bit)
       {
         centers[bit] = std::min(centers[bit], GetDistance(cells, bit, ToAxes(turned, vertex), 1));
@@ -141,7 +141,7 @@ TEST(DelaunayRefinementSurfaceWords, RoundsTowardsLess)
     DelaunayRefinementSurfaceWords words;
     words.Start(origin, turned);
     words.Add(cells, { (1.0 - 1e-9) * reach, (1.0 - 1e-9) * reach });
-    words.CoverFrom({ place[2] / 1.5, place[0], place[1] / 1.25 }, 0, 1);
+    words.CoverFrom(words.FindPlace({ place[2] / 1.5, place[0], place[1] / 1.25 }), 0, 1);
     EXPECT_EQ(words.GetWord(0).uncovered >> 42 & 1u, cells.bits >> 42 & 1u);
   }
 }
@@ -158,7 +158,7 @@ TEST(DelaunayRefinementSurfaceWords, CellsWithAMarginAreReachedLater)
     DelaunayRefinementSurfaceWords words;
     words.Start(origin, turned);
     words.Add(cells, { reach + 0.05, reach + 0.05 });
-    words.CoverFrom({ cells.corner[2] / 1.5, cells.corner[0], cells.corner[1] / 1.25 }, 0, 1);
+    words.CoverFrom(words.FindPlace({ cells.corner[2] / 1.5, cells.corner[0], cells.corner[1] / 1.25 }), 0, 1);
     EXPECT_EQ(words.GetWord(0).uncovered, margin == 0.0 ? 0u : std::uint64_t{ 1 } << 63);
   }
 }
@@ -173,7 +173,7 @@ TEST(DelaunayRefinementSurfaceWords, LeavesOtherWordsAlone)
   {
     words.Add(cells, { 100.0, 100.0 });
   }
-  words.CoverFrom(origin, 1, 4);
+  words.CoverFrom(words.FindPlace(origin), 1, 4);
   for (unsigned int i = 0; i < 5; ++i)
   {
     EXPECT_EQ(words.GetWord(i).uncovered, 1 <= i && i < 4 ? 0u : cells.bits);

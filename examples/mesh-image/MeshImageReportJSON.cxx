@@ -112,6 +112,7 @@ Rules(const itk::DelaunayRefinementStatistics & statistics)
            { "E1", encroachments(Case::E1) },
            { "E2", encroachments(Case::E2) },
            { "E3", encroachments(Case::E3) },
+           { "seeds", statistics.seeds },
            { "removals", statistics.removals },
            { "moves", statistics.movedVertices },
            { "encroachment_removals", statistics.encroachmentRemovals } };
