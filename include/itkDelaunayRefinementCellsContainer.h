@@ -22,6 +22,8 @@
 #include "itkObjectFactory.h"
 
 #include <memory>
+#include <new>
+#include <vector>
 
 namespace itk
 {
@@ -29,9 +31,9 @@ namespace itk
  * \brief A mesh's cells in large pieces of memory that belong to their container.
  *
  * A mesh takes a piece of memory for each cell otherwise, which takes longer than to fill them. Pieces are short enough
- * to go where shorter arrays were, in memory that is in use already. To the mesh nothing
- * differs: it deletes cells one by one (CellsAllocatedDynamicallyCellByCell), those that were added later too, and
- * may share the container with other meshes. Cells are not to be used after their container is gone.
+ * to go where shorter arrays were, in memory that is in use already. To the mesh nothing differs: it deletes cells one by
+ * one (CellsAllocatedDynamicallyCellByCell), those that were added later too, and may share the container with other
+ * meshes. Cells are not to be used after their container is gone.
  *
  * \ingroup DelaunayRefinement
  */

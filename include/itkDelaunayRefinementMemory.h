@@ -132,13 +132,11 @@ public:
 template <typename TElement>
 using DelaunayRefinementArray = std::vector<TElement, DelaunayRefinementAllocator<TElement>>;
 
-/** Lengthens an array, never shortens it. If it has to move, it gets room for as much again: what is not used yet takes
- * no time. */
+/** Lengthens an array by zeros, never shortens it. If it has to move, room for as much again is set aside, which takes
+ * no time before it is used. */
 template <typename TElement>
 void
-LengthenDelaunayRefinementArray(DelaunayRefinementArray<TElement> & array,
-                                std::size_t                         length,
-                                const TElement &                    value = TElement())
+LengthenDelaunayRefinementArray(DelaunayRefinementArray<TElement> & array, std::size_t length)
 {
   if (length > array.capacity())
   {
@@ -146,7 +144,7 @@ LengthenDelaunayRefinementArray(DelaunayRefinementArray<TElement> & array,
   }
   if (length > array.size())
   {
-    array.resize(length, value);
+    array.resize(length, TElement{});
   }
 }
 } // end namespace itk

@@ -195,7 +195,7 @@ DelaunayRefinementBlockSampler::Enter(std::size_t number)
   m_AllVertices.FindWithinOfBox(center, halfExtents, reach, m_Found);
   // A copy, which fits a cache: m_AllVertices stays as it is until all threads are done with the color.
   m_Vertices.Start(minimum, maximum, CubeSize * block.sumOfDeltas / static_cast<double>(m_Words->GetSize()));
-  m_FewVertices.Start(center, std::sqrt(Geometry::Dot(halfExtents, halfExtents)));
+  m_FewVertices.Start(center, std::sqrt(Geometry::Dot(halfExtents, halfExtents)) + reach);
   std::for_each(m_Found.begin(), m_Found.end(), [this](const PointType & vertex) { this->AddVertex(vertex); });
   m_NumberOfOldVertices = m_Found.size();
 }

@@ -131,7 +131,7 @@ DelaunayRefinementComplex::Reinsert(IndexType vertex, const PointType & point, d
     return false;
   }
   m_Deltas[vertex] = delta;
-  if (vertex < m_NumberOfPlaced && m_Kinds[vertex] == VertexKind::FREE)
+  if (vertex < m_NumberOfPlaced && m_Kinds[vertex] == VertexKind::FREE && !m_PlacesOfFree.HasPointWithin(point, 0.0))
   {
     m_PlacesOfFree.Add(point);
   }
@@ -208,16 +208,21 @@ DelaunayRefinementComplex::FindFreeVerticesWithin(IndexType vertex, double radiu
   {
     return;
   }
-  if (m_NumberOfPlaced == 0)
+  // Cubes for so many, and for as many more as make them too full.
+  if (m_PlacesOfFree.GetPoints().size() >= m_MostPlaces)
   {
-    // A cube or so for each.
-    const PointType extent = DelaunayRefinementGeometry::Subtract(m_Box.maximum, m_Box.minimum);
-    const auto      number = static_cast<double>(this->GetNumberOfVertices(VertexKind::FREE));
-    m_PlacesOfFree.Start(m_Box.minimum, m_Box.maximum, std::cbrt(extent[0] * extent[1] * extent[2] / number));
+    constexpr double      cubesPerVertex = 16.0;
+    constexpr std::size_t growth = 8;
+    const PointType       extent = DelaunayRefinementGeometry::Subtract(m_Box.maximum, m_Box.minimum);
+    const auto            number = static_cast<double>(this->GetNumberOfVertices(VertexKind::FREE));
+    const double          volume = extent[0] * extent[1] * extent[2] / (cubesPerVertex * number);
+    m_PlacesOfFree.Start(m_Box.minimum, m_Box.maximum, std::max(radius, std::cbrt(volume)));
+    m_MostPlaces = growth * this->GetNumberOfVertices(VertexKind::FREE);
+    m_NumberOfPlaced = 0;
   }
   for (; m_NumberOfPlaced < m_Kinds.size(); ++m_NumberOfPlaced)
   {
-    if (m_Kinds[m_NumberOfPlaced] == VertexKind::FREE)
+    if (m_Kinds[m_NumberOfPlaced] == VertexKind::FREE && m_Triangulation.GetCellOfVertex(m_NumberOfPlaced) != None)
     {
       m_PlacesOfFree.Add(this->GetPoint(m_NumberOfPlaced));
     }

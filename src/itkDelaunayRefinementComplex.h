@@ -263,8 +263,9 @@ private:
   std::uint32_t                          m_NumberOfSearches{ 0 };
   std::uint32_t                          m_NumberOfStars{ 0 };
 
-  // Where free vertices are or were, of the vertices up to a number.
+  // Where free vertices are or were, of the vertices up to a number; made anew once there are too many.
   DelaunayRefinementPointGrid m_PlacesOfFree{};
+  std::size_t                 m_MostPlaces{ 0 };
   IndexType                   m_NumberOfPlaced{ 0 };
 };
 } // end namespace itk

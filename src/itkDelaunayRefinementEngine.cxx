@@ -370,17 +370,16 @@ DelaunayRefinementEngine::Impl::StartComplex(const std::vector<PointType> & feat
     m_Parameters, m_Oracle, m_LocalDelta, *m_Rules, *m_Repair, *m_Sample, *m_Complex, m_Threads);
   m_Accuracy =
     std::make_unique<DelaunayRefinementAccuracy>(m_Oracle, m_Parameters, *m_Complex, m_LocalDelta, m_Threads);
-  std::vector<PointType> seeds =
-    FindDelaunayRefinementInteriorSeeds(m_Oracle, features, m_LocalDelta.GetMaximum(), m_Threads);
+  const auto             keepGoing = [this] { return this->KeepGoing(); };
+  std::vector<PointType> seeds = FindDelaunayRefinementInteriorSeeds(
+    m_Oracle, features, m_LocalDelta.GetMaximum(), m_Parameters.roundToFloat, m_Threads, keepGoing);
   if (features.size() + seeds.size() + 8 > m_Parameters.maximumNumberOfVertices)
   {
     seeds.clear();
   }
-  std::transform(
-    seeds.begin(), seeds.end(), seeds.begin(), [this](const PointType & seed) { return m_Complex->Round(seed); });
   m_Statistics.seeds = seeds.size();
   m_Statistics.insertions[static_cast<std::size_t>(RefinementRule::R2)] = seeds.size();
-  if (!m_Complex->Start(features, deltas, seeds, m_Threads, [this] { return this->KeepGoing(); }))
+  if (!m_Complex->Start(features, deltas, seeds, m_Threads, keepGoing))
   {
     // Half a triangulation is none.
     m_Complex.reset();

@@ -18,8 +18,10 @@
 #include "itkDelaunayRefinementInteriorSeeds.h"
 
 #include "itkDelaunayRefinementBits.h"
+#include "itkDelaunayRefinementGeometry.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 
@@ -29,17 +31,27 @@ namespace
 {
 using PointType = DelaunayRefinementPoint;
 
-/** Distance of a seed from other vertices over delta: 2, with room for the rounding of coordinates. */
+/** Distance of a seed from other vertices over delta: 2, with room for the rounding of double precision. */
 constexpr double Separation = 2.001;
 
 /** Steps of the lattice over delta: to vary a place along x costs less than more rows. */
 constexpr std::array<double, 3> Steps{ 0.5, 1.25, 1.25 };
 
-/** A lattice with more points for each feature vertex would take longer than it saves. */
-constexpr double MostPointsPerFeature = 1024.0;
+/** Rows of the lattice start at shares of a step that neighbors and diagonals don't have in common. */
+constexpr double SharePerRow = 0.6180339887;
+constexpr double SharePerLayer = 0.7548776662;
+
+/** A lattice with more bits for each feature vertex would take longer than it saves. */
+constexpr double MostBitsPerFeature = 1024.0;
+
+/** More along an axis have no number. */
+constexpr double MostPointsPerAxis = 1 << 30;
+
+constexpr std::size_t LeastLayersPerPiece = 8;
+constexpr std::size_t PointsBetweenQuestions = 4096;
 
 /** The points of a lattice in a box; a bit for each, rows along x in words. Rows start anywhere within a step, so that
- * no five points are on a sphere. */
+ * hardly any five points are on a sphere. */
 class LatticeType
 {
 public:
@@ -54,14 +66,17 @@ public:
     }
   }
 
-  /** Needs no memory. */
+  /** How many it would take; infinite if rows, layers or points of a row would be too many to be numbered. */
   double
-  CountPoints() const
+  CountBits() const
   {
-    return (1.0 + m_Extent[0]) * (1.0 + m_Extent[1]) * (1.0 + m_Extent[2]);
+    const bool areNumbered =
+      std::all_of(m_Extent.begin(), m_Extent.end(), [](double extent) { return extent < MostPointsPerAxis; });
+    return areNumbered ? (64.0 + m_Extent[0]) * (1.0 + m_Extent[1]) * (1.0 + m_Extent[2])
+                       : std::numeric_limits<double>::infinity();
   }
 
-  /** All bits are 0; nothing else but CountPoints() may be called before. */
+  /** All bits are 0; nothing else but CountBits() may be called before. */
   void
   Start()
   {
@@ -73,10 +88,9 @@ public:
     m_Starts.resize(static_cast<std::size_t>(m_Size[1]) * m_Size[2]);
     for (std::size_t row = 0; row < m_Starts.size(); ++row)
     {
-      // Shares of a step that neither neighbors nor diagonals have in common.
       const double turns =
-        0.6180339887 * static_cast<double>(row % m_Size[1]) + 0.7548776662 * static_cast<double>(row / m_Size[1]);
-      m_Starts[row] = static_cast<float>(turns - std::floor(turns));
+        SharePerRow * static_cast<double>(row % m_Size[1]) + SharePerLayer * static_cast<double>(row / m_Size[1]);
+      m_Starts[row] = turns - std::floor(turns);
     }
     m_Words.assign(m_Starts.size() * m_WordsPerRow, 0);
   }
@@ -154,7 +168,8 @@ public:
     }
   }
 
-  /** Calls \c visitor with the points whose bits are set, in order; it may clear bits that follow. */
+  /** Calls \c visitor with the points whose bits are set, in order, as long as it returns true; it may clear bits that
+   * follow. */
   template <typename TVisitor>
   void
   Visit(const TVisitor & visitor)
@@ -168,11 +183,11 @@ public:
         {
           const auto x = static_cast<std::int32_t>(64 * word + FindDelaunayRefinementBit(bits));
           bits &= bits - 1;
-          if (x < m_Size[0])
+          if (x < m_Size[0] && !visitor(PointType{ m_Minimum[0] + (m_Starts[row] + x) * m_Steps[0],
+                                                   m_Minimum[1] + static_cast<double>(row % m_Size[1]) * m_Steps[1],
+                                                   m_Minimum[2] + static_cast<double>(row / m_Size[1]) * m_Steps[2] }))
           {
-            visitor(PointType{ m_Minimum[0] + (m_Starts[row] + x) * m_Steps[0],
-                               m_Minimum[1] + static_cast<double>(row % m_Size[1]) * m_Steps[1],
-                               m_Minimum[2] + static_cast<double>(row / m_Size[1]) * m_Steps[2] });
+            return;
           }
         }
       }
@@ -212,7 +227,7 @@ private:
   PointType                   m_Extent{}; // in steps
   std::array<std::int32_t, 3> m_Size{};
   std::size_t                 m_WordsPerRow{ 0 };
-  std::vector<float>          m_Starts{}; // of rows, in steps
+  std::vector<double>         m_Starts{}; // of rows, in steps
   std::vector<std::uint64_t>  m_Words{};
 };
 } // namespace
@@ -221,38 +236,71 @@ std::vector<DelaunayRefinementPoint>
 FindDelaunayRefinementInteriorSeeds(const DelaunayRefinementOracle &             oracle,
                                     const std::vector<DelaunayRefinementPoint> & features,
                                     double                                       delta,
-                                    DelaunayRefinementThreads &                  threads)
+                                    bool                                         roundToFloat,
+                                    DelaunayRefinementThreads &                  threads,
+                                    const std::function<bool()> &                keepGoing)
 {
+  using Geometry = DelaunayRefinementGeometry;
   std::vector<PointType> seeds;
-  LatticeType            lattice(oracle.GetSurfaceBounds(), delta);
-  if (!(lattice.CountPoints() < MostPointsPerFeature * static_cast<double>(features.size())))
+  const auto             bounds = oracle.GetSurfaceBounds();
+  LatticeType            lattice(bounds, delta);
+  if (!(lattice.CountBits() < MostBitsPerFeature * static_cast<double>(features.size())))
   {
     return seeds;
   }
+  double separation = Separation * delta;
+  for (unsigned int i = 0; i < 3 && roundToFloat; ++i)
+  {
+    separation +=
+      2.0 * std::numeric_limits<float>::epsilon() * std::max(std::abs(bounds.minimum[i]), std::abs(bounds.maximum[i]));
+  }
   lattice.Start();
-  const std::int32_t numberOfLayers = lattice.GetNumberOfLayers();
-  const double       separation = Separation * delta;
-  const std::size_t  length = DelaunayRefinementThreads::ChoosePieceLength(&threads, numberOfLayers, 8);
-  DelaunayRefinementThreads::RunPieces(
-    &threads, numberOfLayers, length, [&](std::size_t, std::size_t begin, std::size_t end) {
-      for (const PointType & feature : features)
+  const auto        numberOfLayers = static_cast<std::size_t>(lattice.GetNumberOfLayers());
+  const std::size_t length =
+    DelaunayRefinementThreads::ChoosePieceLength(&threads, numberOfLayers, LeastLayersPerPiece);
+  std::atomic<bool> isStopped{ false };
+  threads.Run(
+    DelaunayRefinementThreads::CountPieces(numberOfLayers, length), [&](std::size_t piece, unsigned int thread) {
+      const auto begin = static_cast<std::int32_t>(piece * length);
+      const auto end = static_cast<std::int32_t>(std::min(numberOfLayers, (piece + 1) * length));
+      for (std::size_t i = 0; i < features.size() && !isStopped.load(std::memory_order_relaxed); ++i)
       {
-        lattice.ChangeWithin(feature,
-                             separation,
-                             static_cast<std::int32_t>(begin),
-                             static_cast<std::int32_t>(end),
-                             [](std::uint64_t & word, std::uint64_t bits) { word |= bits; });
+        if (thread == 0 && i % PointsBetweenQuestions == 0 && !keepGoing())
+        {
+          isStopped.store(true, std::memory_order_relaxed);
+        }
+        lattice.ChangeWithin(
+          features[i], separation, begin, end, [](std::uint64_t & word, std::uint64_t bits) { word |= bits; });
       }
     });
   lattice.KeepMargin();
+  std::size_t numberOfPoints = 0;
   lattice.Visit([&](const PointType & point) {
+    if (++numberOfPoints % PointsBetweenQuestions == 0 && !keepGoing())
+    {
+      isStopped.store(true, std::memory_order_relaxed);
+    }
     if (oracle.Classify(point) != 0)
     {
       seeds.push_back(point);
       lattice.ChangeWithin(
-        point, separation, 0, numberOfLayers, [](std::uint64_t & word, std::uint64_t bits) { word &= ~bits; });
+        point, separation, 0, lattice.GetNumberOfLayers(), [](std::uint64_t & word, std::uint64_t bits) {
+          word &= ~bits;
+        });
     }
+    return !isStopped.load(std::memory_order_relaxed);
   });
+  if (isStopped)
+  {
+    // Not all vertices may have been heeded.
+    return {};
+  }
+  for (PointType & seed : seeds)
+  {
+    std::transform(seed.begin(), seed.end(), seed.begin(), [roundToFloat](double coordinate) {
+      return roundToFloat ? Geometry::RoundToFloat(coordinate) : coordinate;
+    });
+  }
   return seeds;
 }
 } // end namespace itk

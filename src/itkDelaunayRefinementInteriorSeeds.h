@@ -21,6 +21,7 @@
 #include "itkDelaunayRefinementOracle.h"
 #include "itkDelaunayRefinementThreads.h"
 
+#include <functional>
 #include <vector>
 
 namespace itk
@@ -30,12 +31,16 @@ namespace itk
  *
  * R2 inserts the circumcenters of large balls one after the other, each of which changes a hundred tetrahedra. These
  * are cheap to insert, with the feature vertices, and leave R2 with little to do. Always the same in the same order,
- * however many \c threads there are; none if delta is very small against the box around the surface. */
+ * however many \c threads there are; rounded to floats if \c roundToFloat is set; none if delta is very small against
+ * the box around the surface. None if \c keepGoing, asked now and then on the calling thread, said so.
+ */
 std::vector<DelaunayRefinementPoint>
 FindDelaunayRefinementInteriorSeeds(const DelaunayRefinementOracle &             oracle,
                                     const std::vector<DelaunayRefinementPoint> & features,
                                     double                                       delta,
-                                    DelaunayRefinementThreads &                  threads);
+                                    bool                                         roundToFloat,
+                                    DelaunayRefinementThreads &                  threads,
+                                    const std::function<bool()> &                keepGoing);
 } // end namespace itk
 
 #endif

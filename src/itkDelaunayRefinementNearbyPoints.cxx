@@ -116,7 +116,7 @@ DelaunayRefinementNearbyPoints::FindWithinOfBox(const PointType &            cen
   const BoxType        half{ static_cast<float>(halfExtents[0]),
                       static_cast<float>(halfExtents[1]),
                       static_cast<float>(halfExtents[2]) };
-  const float          squaredRadius = Square(static_cast<float>(radius));
+  const float          squaredRadius = Square(static_cast<float>(radius + PatchesType::GetRounding(m_Extent + radius)));
   const auto           beyond = [](float coordinate, float middle, float extent) {
     const float distance = std::abs(coordinate - middle) - extent;
     return 0.5f * (distance + std::abs(distance));

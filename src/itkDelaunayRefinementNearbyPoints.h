@@ -83,8 +83,8 @@ public:
   bool
   HasPointWithin(const PointType & point, double radius) const;
 
-  /** Appends the numbers, in the order in which they were added, of the points within \c radius of a box, give or take
-   * the rounding to single precision. */
+  /** Appends the numbers, in the order in which they were added, of the points within \c radius of a box, and of some a
+   * little further away. */
   void
   FindWithinOfBox(const PointType &            center,
                   const PointType &            halfExtents,

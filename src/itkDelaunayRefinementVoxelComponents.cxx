@@ -281,6 +281,7 @@ DelaunayRefinementVoxelComponents::JoinSlices(std::int32_t begin, std::int32_t e
 {
   for (std::int32_t z = begin; z < end; ++z)
   {
+    // First, as most of its rows are known to be of one component.
     if (z > begin)
     {
       this->JoinSliceToPrevious(z);

@@ -20,6 +20,8 @@
 #include "itkAnalyticOracles.h"
 #include "itkEngineRun.h"
 
+#include <random>
+
 using namespace itk::DelaunayRefinementTest;
 using itk::DelaunayRefinementComplex;
 using itk::DelaunayRefinementThreads;
@@ -56,4 +58,33 @@ TEST(DelaunayRefinementComplex, FindsFreeVerticesWhereverTheyAre)
   // Where one was is no reason to find it.
   complex.Remove(later);
   EXPECT_TRUE(find(feature, 2.0).empty());
+}
+
+TEST(DelaunayRefinementComplex, FindsFreeVerticesHoweverManyThereAre)
+{
+  using IndexType = DelaunayRefinementComplex::IndexType;
+  const BallOracle          ball({ 0.0, 0.0, 0.0 }, 10.0);
+  DelaunayRefinementComplex complex(ball, false, { { -40.0, -40.0, -40.0 }, { 40.0, 40.0, 40.0 } });
+  DelaunayRefinementThreads threads(1);
+  ASSERT_TRUE(complex.Start({ { 10.0, 0.0, 0.0 } }, { 1.0 }, {}, threads, [] { return true; }));
+  constexpr IndexType    feature = 9;
+  std::mt19937           random(1);
+  std::vector<IndexType> frees;
+  for (unsigned int i = 0; i < 500; ++i)
+  {
+    PointType point;
+    for (double & coordinate : point)
+    {
+      coordinate = static_cast<double>(random() % 20000) * 1e-3 - 10.0;
+    }
+    frees.push_back(complex.Insert(point, VertexKind::FREE, 0.0, complex.GetNewCells().front()));
+    std::vector<IndexType> found;
+    complex.FindFreeVerticesWithin(feature, 5.0, found);
+    std::sort(found.begin(), found.end());
+    std::vector<IndexType> expected;
+    std::copy_if(frees.begin(), frees.end(), std::back_inserter(expected), [&complex](IndexType vertex) {
+      return Distance(complex.GetPoint(vertex), complex.GetPoint(feature)) < 5.0;
+    });
+    ASSERT_EQ(found, expected) << i;
+  }
 }

@@ -39,10 +39,30 @@ std::vector<PointType>
 FindSeeds(const DelaunayRefinementOracle & oracle,
           const std::vector<PointType> &   features,
           double                           delta,
-          unsigned int                     numberOfThreads)
+          unsigned int                     numberOfThreads = 1,
+          bool                             roundToFloat = false)
 {
   DelaunayRefinementThreads threads(numberOfThreads);
-  return itk::FindDelaunayRefinementInteriorSeeds(oracle, features, delta, threads);
+  return itk::FindDelaunayRefinementInteriorSeeds(oracle, features, delta, roundToFloat, threads, [] { return true; });
+}
+
+void
+ExpectRoom(const AnalyticOracle &         oracle,
+           const std::vector<PointType> & features,
+           const std::vector<PointType> & seeds,
+           double                         delta)
+{
+  const PointLocator locator(features);
+  EXPECT_GT(seeds.size(), 20u);
+  for (std::size_t i = 0; i < seeds.size(); ++i)
+  {
+    EXPECT_LT(oracle.ComputeSignedDistance(seeds[i]), 0.0);
+    EXPECT_GE(locator.FindDistance(seeds[i]), 2.0 * delta);
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      EXPECT_GE(Distance(seeds[i], seeds[j]), 2.0 * delta);
+    }
+  }
 }
 } // namespace
 
@@ -51,23 +71,38 @@ TEST(DelaunayRefinementInteriorSeeds, AreInsideAndKeepTwoDeltasFromAllOthers)
   constexpr double       delta = 1.0;
   const HollowBallOracle shell({ 3.0, -7.0, 11.0 }, 4.0, 15.0);
   const TorusOracle      torus(origin, 12.0, 5.0);
-  for (const AnalyticOracle * oracle :
-       { static_cast<const AnalyticOracle *>(&shell), static_cast<const AnalyticOracle *>(&torus) })
+  const auto             featuresOfShell = MakeFeatures(shell, delta);
+  ExpectRoom(shell, featuresOfShell, FindSeeds(shell, featuresOfShell, delta), delta);
+  const auto featuresOfTorus = MakeFeatures(torus, delta);
+  ExpectRoom(torus, featuresOfTorus, FindSeeds(torus, featuresOfTorus, delta), delta);
+}
+
+TEST(DelaunayRefinementInteriorSeeds, KeepTheirDistanceInSinglePrecision)
+{
+  // A float there has steps of an eighth of delta.
+  constexpr double delta = 1.0;
+  const BallOracle ball({ 2097152.0, -2097152.0, 1048576.0 }, 15.0);
+  auto             parameters = MakeParameters(delta);
+  parameters.roundToFloat = true;
+  const auto features = GetFeaturePoints(RunEngine(ball, parameters).result);
+  const auto seeds = FindSeeds(ball, features, delta, 1, true);
+  ExpectRoom(ball, features, seeds, delta);
+  for (const PointType & seed : seeds)
   {
-    const auto         features = MakeFeatures(*oracle, delta);
-    const auto         seeds = FindSeeds(*oracle, features, delta, 1);
-    const PointLocator locator(features);
-    EXPECT_GT(seeds.size(), 20u);
-    for (std::size_t i = 0; i < seeds.size(); ++i)
+    for (const double coordinate : seed)
     {
-      EXPECT_LT(oracle->ComputeSignedDistance(seeds[i]), 0.0);
-      EXPECT_GE(locator.FindDistance(seeds[i]), 2.0 * delta);
-      for (std::size_t j = 0; j < i; ++j)
-      {
-        EXPECT_GE(Distance(seeds[i], seeds[j]), 2.0 * delta);
-      }
+      EXPECT_EQ(coordinate, static_cast<double>(static_cast<float>(coordinate)));
     }
   }
+}
+
+TEST(DelaunayRefinementInteriorSeeds, NoneOnceTheRunIsToEnd)
+{
+  const BallOracle          ball({ 0.0, 0.0, 0.0 }, 15.0);
+  const auto                features = MakeFeatures(ball, 1.0);
+  DelaunayRefinementThreads threads(2);
+  EXPECT_TRUE(
+    itk::FindDelaunayRefinementInteriorSeeds(ball, features, 1.0, false, threads, [] { return false; }).empty());
 }
 
 TEST(DelaunayRefinementInteriorSeeds, LeaveR2LittleToDo)
@@ -77,7 +112,7 @@ TEST(DelaunayRefinementInteriorSeeds, LeaveR2LittleToDo)
   constexpr double radius = 15.0;
   const BallOracle ball(origin, radius);
   const auto       features = MakeFeatures(ball, delta);
-  for (const PointType & seed : FindSeeds(ball, features, delta, 1))
+  for (const PointType & seed : FindSeeds(ball, features, delta))
   {
     EXPECT_GT(Norm(seed), radius - 4.0 * delta);
   }
@@ -90,23 +125,23 @@ TEST(DelaunayRefinementInteriorSeeds, NoneWhereThereIsNoRoom)
 {
   constexpr double  delta = 1.0;
   const PlateOracle plate(origin, { 10.0, 8.0, 1.5 });
-  EXPECT_TRUE(FindSeeds(plate, MakeFeatures(plate, delta), delta, 1).empty());
+  EXPECT_TRUE(FindSeeds(plate, MakeFeatures(plate, delta), delta).empty());
 }
 
 TEST(DelaunayRefinementInteriorSeeds, NoneWhereTheLatticeWouldBeVeryLarge)
 {
   const BallOracle ball(origin, 10.0);
   const auto       features = MakeFeatures(ball, 2.0);
-  EXPECT_FALSE(FindSeeds(ball, features, 2.0, 1).empty());
-  EXPECT_TRUE(FindSeeds(ball, features, 1e-3, 1).empty());
-  EXPECT_TRUE(FindSeeds(ball, features, 1e-300, 1).empty());
+  EXPECT_FALSE(FindSeeds(ball, features, 2.0).empty());
+  EXPECT_TRUE(FindSeeds(ball, features, 1e-3).empty());
+  EXPECT_TRUE(FindSeeds(ball, features, 1e-300).empty());
 }
 
 TEST(DelaunayRefinementInteriorSeeds, TheSameOnAnyNumberOfThreads)
 {
   const TorusOracle torus(origin, 12.0, 5.0);
   const auto        features = MakeFeatures(torus, 0.5);
-  const auto        seeds = FindSeeds(torus, features, 0.5, 1);
+  const auto        seeds = FindSeeds(torus, features, 0.5);
   for (const unsigned int numberOfThreads : { 2u, 3u, 5u })
   {
     EXPECT_EQ(FindSeeds(torus, features, 0.5, numberOfThreads), seeds) << numberOfThreads;
