@@ -31,8 +31,8 @@ namespace itk
  * \brief A mesh's cells in large pieces of memory that belong to their container.
  *
  * A mesh takes a piece of memory for each cell otherwise, which takes longer than to fill them. Pieces are short enough
- * to go where shorter arrays were, in memory that is in use already. To the mesh nothing differs: it deletes cells one by
- * one (CellsAllocatedDynamicallyCellByCell), those that were added later too, and may share the container with other
+ * to go where shorter arrays were, in memory that is in use already. To the mesh nothing differs: it deletes cells one
+ * by one (CellsAllocatedDynamicallyCellByCell), those that were added later too, and may share the container with other
  * meshes. Cells are not to be used after their container is gone.
  *
  * \ingroup DelaunayRefinement
@@ -77,8 +77,7 @@ public:
   MakeCell(std::size_t number)
   {
     char * const piece = static_cast<char *>(m_Pieces[number / CellsPerPiece].get());
-    auto * const cell =
-      ::new (piece + number % CellsPerPiece * sizeof(CellInPlaceType<TCell>)) CellInPlaceType<TCell>;
+    auto * const cell = ::new (piece + number % CellsPerPiece * sizeof(CellInPlaceType<TCell>)) CellInPlaceType<TCell>;
     this->CastToSTLContainer()[number] = cell;
     return cell;
   }
