@@ -91,6 +91,7 @@ DelaunayRefinementOracle::SurfacePatches
 DelaunayRefinementLatticeOracle::GetSurfacePatches() const
 {
   SurfacePatches patches(this->GetSurfaceBounds().minimum);
+  patches.Reserve(m_Bricks->GetActiveBricks().size());
   for (const IndexType & brick : m_Bricks->GetActiveBricks())
   {
     constexpr double size = DelaunayRefinementBricks::BrickSize;
