@@ -104,6 +104,13 @@ public:
   SurfacePatches
   GetSurfacePatches() const override;
 
+  /** Not under a user's interpolator, which is asked at points alone. */
+  bool
+  KnowsAllSurface() const override
+  {
+    return m_Model != ModelEnum::FIELD;
+  }
+
   void
   SplitSurfacePatch(const SurfacePatchIdentifier & patch, SurfacePatches & parts) const override;
 

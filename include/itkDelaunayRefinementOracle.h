@@ -105,6 +105,10 @@ public:
   virtual SurfacePatches
   GetSurfacePatches() const = 0;
 
+  /** Whether patches are certain to leave out no surface that FindFirstCrossing() would find. Default: they are. */
+  virtual bool
+  KnowsAllSurface() const;
+
   /** Appends patches that together cover what a patch covers, within its box, each at most about half as large. */
   virtual void
   SplitSurfacePatch(const SurfacePatchIdentifier & patch, SurfacePatches & parts) const = 0;

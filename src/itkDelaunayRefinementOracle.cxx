@@ -34,6 +34,12 @@ DelaunayRefinementOracle::IsSurfaceWithin(const PointType & point, double distan
   return this->FindClosestSurfacePoint(point, distance, closest);
 }
 
+bool
+DelaunayRefinementOracle::KnowsAllSurface() const
+{
+  return true;
+}
+
 DelaunayRefinementOracle::SurfaceCells::AxesType
 DelaunayRefinementOracle::GetCellAxes() const
 {

@@ -148,6 +148,10 @@ DelaunayRefinementRules::FiresR2(IndexType cell) const
 double
 DelaunayRefinementRules::ComputeSquaredLargestBall() const
 {
+  if (!m_Oracle.KnowsAllSurface())
+  {
+    return std::numeric_limits<double>::infinity();
+  }
   const double largestBall = LargestBallShare * m_LocalDelta.GetMaximum();
   return largestBall * largestBall;
 }

@@ -120,7 +120,7 @@ private:
   double
   GetDeltaOfFeatures(const std::array<IndexType, 4> & vertices, unsigned int leftOut) const;
 
-  /** R1 leaves no surface farther from a vertex. */
+  /** R1 leaves no surface farther from a vertex; infinity if it may not know of all. */
   double
   ComputeSquaredLargestBall() const;
 
