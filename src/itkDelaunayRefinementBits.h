@@ -43,6 +43,14 @@ FindDelaunayRefinementBit(std::uint64_t word)
 #endif
 }
 
+/** Of bits \c first to \c last (included) of a row of words, those in one of these: a word that holds some of them. */
+inline std::uint64_t
+GetDelaunayRefinementBitsOfRun(std::int32_t first, std::int32_t last, std::int32_t word)
+{
+  constexpr std::uint64_t all = ~std::uint64_t{ 0 };
+  return (word == first >> 6 ? all << (first & 63) : all) & (word == last >> 6 ? all >> (63 - (last & 63)) : all);
+}
+
 /** The numbers, 0 to 3, that occur along an axis among the cubes of a word: bit x + 4 y + 16 z is cube (x, y, z). */
 inline unsigned int
 GetDelaunayRefinementLayers(std::uint64_t cubes, unsigned int axis)

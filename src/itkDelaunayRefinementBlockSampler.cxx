@@ -301,7 +301,7 @@ DelaunayRefinementBlockSampler::SamplePatch(const PatchesType::IdentifierType & 
   }
   if (m_RoundToFloat)
   {
-    std::transform(point.begin(), point.end(), point.begin(), Geometry::RoundToFloat);
+    point = Geometry::RoundPointToFloat(point);
   }
   this->AddVertex(point);
   m_Cover.CoverFrom(point, m_Block);

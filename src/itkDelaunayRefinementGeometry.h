@@ -97,6 +97,13 @@ public:
     return rounded;
   }
 
+  /** The same for each coordinate. */
+  static PointType
+  RoundPointToFloat(const PointType & point)
+  {
+    return { RoundToFloat(point[0]), RoundToFloat(point[1]), RoundToFloat(point[2]) };
+  }
+
   /** Six times the signed volume: positive in VTK's order. */
   static double
   Determinant(const PointType & a, const PointType & b, const PointType & c, const PointType & d)

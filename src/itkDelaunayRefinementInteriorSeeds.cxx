@@ -140,10 +140,7 @@ public:
           std::uint64_t * const words = m_Words.data() + row * m_WordsPerRow;
           for (std::int32_t word = first >> 6; word <= last >> 6; ++word)
           {
-            const std::uint64_t all = ~std::uint64_t{ 0 };
-            change(words[word],
-                   (word == first >> 6 ? all << (first & 63) : all) &
-                     (word == last >> 6 ? all >> (63 - (last & 63)) : all));
+            change(words[word], GetDelaunayRefinementBitsOfRun(first, last, word));
           }
         }
       }
@@ -295,11 +292,9 @@ FindDelaunayRefinementInteriorSeeds(const DelaunayRefinementOracle &            
     // Not all vertices may have been heeded.
     return {};
   }
-  for (PointType & seed : seeds)
+  if (roundToFloat)
   {
-    std::transform(seed.begin(), seed.end(), seed.begin(), [roundToFloat](double coordinate) {
-      return roundToFloat ? Geometry::RoundToFloat(coordinate) : coordinate;
-    });
+    std::transform(seeds.begin(), seeds.end(), seeds.begin(), Geometry::RoundPointToFloat);
   }
   return seeds;
 }

@@ -85,7 +85,7 @@ SampleDelaunayRefinementJunctions(const DelaunayRefinementOracle &     oracle,
         {
           if (roundToFloat)
           {
-            std::transform(point.begin(), point.end(), point.begin(), Geometry::RoundToFloat);
+            point = Geometry::RoundPointToFloat(point);
           }
           vertices.Add(point);
         }

@@ -85,9 +85,7 @@ DelaunayRefinementPointGrid::VisitBlocks(const PointType & minimum,
       const std::uint64_t * const row = m_IsOccupied.data() + m_WordsPerRow * this->ToRow(y, z);
       for (std::int32_t word = first[0] >> 6; word <= last[0] >> 6; ++word)
       {
-        std::uint64_t occupied = row[word];
-        occupied &= word == first[0] >> 6 ? ~std::uint64_t{ 0 } << (first[0] & 63) : ~std::uint64_t{ 0 };
-        occupied &= word == last[0] >> 6 ? ~std::uint64_t{ 0 } >> (63 - (last[0] & 63)) : ~std::uint64_t{ 0 };
+        std::uint64_t occupied = row[word] & GetDelaunayRefinementBitsOfRun(first[0], last[0], word);
         for (; occupied != 0; occupied &= occupied - 1)
         {
           const std::int32_t x = 64 * word + static_cast<std::int32_t>(FindDelaunayRefinementBit(occupied));

@@ -49,7 +49,13 @@ DelaunayRefinementRules::DelaunayRefinementRules(const DelaunayRefinementOracle 
   , m_LocalDelta(localDelta)
   , m_Sample(sample)
   , m_LargestDihedralCosine(std::cos(parameters.minimumDihedralAngle * DegreesToRadians))
-{}
+{
+  if (oracle.KnowsAllSurface())
+  {
+    const double largestBall = LargestBallShare * localDelta.GetMaximum();
+    m_SquaredLargestBall = largestBall * largestBall;
+  }
+}
 
 void
 DelaunayRefinementRules::Examine(IndexType cell, unsigned int facets, std::vector<FindingType> & findings) const
@@ -146,17 +152,6 @@ DelaunayRefinementRules::FiresR2(IndexType cell) const
 }
 
 double
-DelaunayRefinementRules::ComputeSquaredLargestBall() const
-{
-  if (!m_Oracle.KnowsAllSurface())
-  {
-    return std::numeric_limits<double>::infinity();
-  }
-  const double largestBall = LargestBallShare * m_LocalDelta.GetMaximum();
-  return largestBall * largestBall;
-}
-
-double
 DelaunayRefinementRules::ComputeSquaredR3Threshold(IndexType cell, unsigned int i) const
 {
   const auto & vertices = m_Complex.GetTriangulation().GetCell(cell).vertices;
@@ -168,7 +163,7 @@ DelaunayRefinementRules::ComputeSquaredR3Threshold(IndexType cell, unsigned int 
                                         Geometry::SquaredDistance(m_Complex.GetPoint(c), m_Complex.GetPoint(a)) });
   const bool   isOnSurface = m_Complex.IsFeature(a) && m_Complex.IsFeature(b) && m_Complex.IsFeature(c);
   const bool   isMixed = m_Parameters.radiusEdgeRatioBound >= 2.0 && !isOnSurface;
-  if (!isMixed && squaredEdge > this->ComputeSquaredLargestBall())
+  if (!isMixed && squaredEdge > m_SquaredLargestBall)
   {
     return std::numeric_limits<double>::infinity();
   }
@@ -224,7 +219,7 @@ DelaunayRefinementRules::FiresR3(IndexType cell, unsigned int i, PointType & cen
   // Only the parts of the dual edge with radii of at least the threshold matter, from both ends inwards, and no farther
   // from vertices than R1 leaves surface.
   const double half = std::sqrt(room / squaredLength);
-  const double reach = std::sqrt(std::max(0.0, this->ComputeSquaredLargestBall() - squaredAtLowest) / squaredLength);
+  const double reach = std::sqrt(std::max(0.0, m_SquaredLargestBall - squaredAtLowest) / squaredLength);
   const double ends[2] = { std::clamp(lowest - half, 0.0, 1.0), std::clamp(lowest + half, 0.0, 1.0) };
   const double starts[2] = { std::min(std::max(lowest - reach, 0.0), ends[0]),
                              std::max(std::min(lowest + reach, 1.0), ends[1]) };

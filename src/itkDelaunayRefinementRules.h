@@ -22,6 +22,8 @@
 #include "itkDelaunayRefinementQueue.h"
 #include "itkDelaunayRefinementSurfaceSample.h"
 
+#include <limits>
+
 namespace itk
 {
 /** \class DelaunayRefinementRules
@@ -120,10 +122,6 @@ private:
   double
   GetDeltaOfFeatures(const std::array<IndexType, 4> & vertices, unsigned int leftOut) const;
 
-  /** R1 leaves no surface farther from a vertex; infinity if it may not know of all. */
-  double
-  ComputeSquaredLargestBall() const;
-
   /** Surface balls of a facet with at least this squared radius make R3 fire; infinity if none can be so large. */
   double
   ComputeSquaredR3Threshold(IndexType cell, unsigned int i) const;
@@ -138,6 +136,9 @@ private:
   const DelaunayRefinementLocalDelta &    m_LocalDelta;
   const DelaunayRefinementSurfaceSample & m_Sample;
   double                                  m_LargestDihedralCosine;
+
+  // R1 leaves no surface farther from a vertex, if the oracle knows of all.
+  double m_SquaredLargestBall{ std::numeric_limits<double>::infinity() };
 };
 } // end namespace itk
 
