@@ -224,6 +224,10 @@ public:
   double
   EstimateNumberOfTetrahedra(const DelaunayRefinementParameters & parameters) const;
 
+  /** No less than that, and cheap: some three times as much. */
+  double
+  BoundNumberOfTetrahedra(const DelaunayRefinementParameters & parameters) const;
+
   /** The same for one component with a delta of its own. */
   double
   EstimateNumberOfTetrahedra(const DelaunayRefinementComponent & component, double delta) const;
@@ -443,8 +447,16 @@ private:
   std::vector<IndexType>
   FindThickVoxels(double enough) const;
 
+  /** Tetrahedra for an area of the surface and the object's volume. */
   double
-  ClimbToInscribedRadius(const IndexType & voxel, double enough) const;
+  EstimateNumberOfTetrahedra(double area, const DelaunayRefinementParameters & parameters) const;
+
+  /** The area of a voxel's face that is crossed by an axis. */
+  double
+  GetFaceArea(unsigned int axis) const;
+
+  double
+  ClimbToInscribedRadius(const IndexType & voxel, double enough, double slack) const;
 
   ModelEnum                                                   m_Model{ ModelEnum::INDICATOR };
   FrameType                                                   m_Frame{};

@@ -411,10 +411,15 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::MakeParameters(const Del
     this->UpdateProgress(static_cast<float>(progress));
     return !this->GetAbortGenerateData();
   };
+  const auto isNegligible = [&](std::uint32_t component) {
+    return oracle.IsNegligible(m_Components[component], this->GetDeltaOf(m_Components[component]));
+  };
+  // If all are, they are all there is.
+  const bool isAnyDispensable = !std::all_of(kept.begin(), kept.end(), isNegligible);
   for (const std::uint32_t component : kept)
   {
     const double delta = this->GetDeltaOf(m_Components[component]);
-    const bool   isDispensable = oracle.IsNegligible(m_Components[component], delta);
+    const bool   isDispensable = isAnyDispensable && isNegligible(component);
     parameters.isDispensable.push_back(isDispensable);
     parameters.componentDelta.push_back(isDispensable && m_RegionLabels.size() > 1
                                           ? delta

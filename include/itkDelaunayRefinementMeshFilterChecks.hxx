@@ -381,15 +381,22 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::VerifyMemory(
   // Measured: some 800 bytes for each tetrahedron of the mesh, those outside it included.
   constexpr double megabytesPerTetrahedron = 1e-3;
   const double     growth = this->EstimateGrowth(oracle, parameters);
-  double           megabytes = megabytesPerTetrahedron * oracle.EstimateNumberOfTetrahedra(parameters) * growth;
+  double           ofComponents = 0.0;
   for (std::size_t i = 0; i < kept.size(); ++i)
   {
     if (parameters.componentDelta[i] < parameters.delta)
     {
-      megabytes += megabytesPerTetrahedron *
-                   oracle.EstimateNumberOfTetrahedra(m_Components[kept[i]], parameters.componentDelta[i]);
+      ofComponents += oracle.EstimateNumberOfTetrahedra(m_Components[kept[i]], parameters.componentDelta[i]);
     }
   }
+  // So much is there without a question.
+  constexpr double fewMegabytes = 256.0;
+  if (megabytesPerTetrahedron * (oracle.BoundNumberOfTetrahedra(parameters) * growth + ofComponents) < fewMegabytes)
+  {
+    return;
+  }
+  const double megabytes =
+    megabytesPerTetrahedron * (oracle.EstimateNumberOfTetrahedra(parameters) * growth + ofComponents);
   itksys::SystemInformation system;
   system.RunMemoryCheck();
   const double available = static_cast<double>(system.GetAvailablePhysicalMemory());

@@ -135,7 +135,14 @@ public:
   std::size_t
   GetFirstRun(std::int32_t y, std::int32_t z) const
   {
-    return m_FirstRuns[static_cast<std::size_t>(z) * m_Size[1] + y];
+    return this->GetFirstRun(static_cast<std::size_t>(z) * m_Size[1] + y);
+  }
+
+  /** The same by the row's number, y + z times the rows of a slice. */
+  std::size_t
+  GetFirstRun(std::size_t row) const
+  {
+    return m_FirstRuns[row];
   }
 
 private:
@@ -158,6 +165,10 @@ private:
 
   ComponentType
   FindRoot(ComponentType run);
+
+  /** That of all runs of a row, which has some, if all are joined to the same one. */
+  ComponentType
+  FindComponentOfRow(std::size_t row) const;
 
   /** Joins the runs of two rows that come within \c reach voxels of each other. */
   void
@@ -186,6 +197,7 @@ private:
   /** For each run; empty without regions. */
   DelaunayRefinementArray<DelaunayRefinementRegion> m_Regions{};
   DelaunayRefinementArray<ComponentType>            m_FirstRuns{};
+  DelaunayRefinementArray<ComponentType>            m_RowComponents{}; // while runs are joined
   std::vector<ComponentInfoType>                    m_Components{};
 };
 } // end namespace itk

@@ -20,8 +20,12 @@
 
 #include "itkDelaunayRefinementMemory.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#ifdef __SSE2__
+#  include <emmintrin.h>
+#endif
 
 namespace itk
 {
@@ -49,28 +53,45 @@ public:
     return m_Size;
   }
 
-  /** Sets the row of voxels (y, z) to isInside(0), isInside(1), ... Rows may be set in parallel. */
+  /** Calls action(row, y, z) for some rows of voxels, numbered along y first, \c end not included. */
+  template <typename TAction>
+  static void
+  VisitRows(const SizeType & size, std::size_t begin, std::size_t end, const TAction & action)
+  {
+    auto y = static_cast<std::int32_t>(begin % size[1]);
+    auto z = static_cast<std::int32_t>(begin / size[1]);
+    for (std::size_t row = begin; row < end; ++row)
+    {
+      action(row, y, z);
+      if (++y == size[1])
+      {
+        y = 0;
+        ++z;
+      }
+    }
+  }
+
+  /** Sets the row of voxels (y, z) to isInside(0), isInside(1), ... which is asked twice for some, and should be cheap.
+   * Rows may be set in parallel. */
   template <typename TPredicate>
   void
   SetRow(std::int32_t y, std::int32_t z, const TPredicate & isInside)
   {
     // By bytes first, which compilers make fast.
     std::uint64_t *              row = this->GetRow(y + 1, z + 1);
-    std::array<std::uint8_t, 64> bytes;
+    std::array<std::uint8_t, 64> bytes{};
+    const std::int32_t           length = std::min(64, m_Size[0]);
     std::uint64_t                carry = 0;
     std::uint64_t                any = 0;
     for (std::int32_t first = 0; first < m_Size[0]; first += 64)
     {
-      const std::int32_t number = m_Size[0] - first;
-      if (number < 64)
+      // The last 64 of a row overlap those before them, so that all loops have one length.
+      const std::int32_t start = std::max(0, std::min(first, m_Size[0] - 64));
+      for (std::int32_t i = 0; i < length; ++i)
       {
-        bytes.fill(0);
+        bytes[i] = isInside(start + i) ? 1 : 0;
       }
-      for (std::int32_t i = 0; i < (number < 64 ? number : 64); ++i)
-      {
-        bytes[i] = isInside(first + i) ? 1 : 0;
-      }
-      const std::uint64_t bits = PackBytes(bytes);
+      const std::uint64_t bits = PackBytes(bytes) >> (first - start);
       *row++ = bits << 1 | carry;
       carry = bits >> 63;
       any |= bits;
@@ -147,6 +168,15 @@ private:
   PackBytes(const std::array<std::uint8_t, 64> & bytes)
   {
     std::uint64_t bits = 0;
+#ifdef __SSE2__
+    for (unsigned int part = 0; part < 4; ++part)
+    {
+      // The last bit of each byte becomes its first.
+      const __m128i sixteen = _mm_loadu_si128(reinterpret_cast<const __m128i *>(bytes.data() + 16 * part));
+      const int     some = _mm_movemask_epi8(_mm_slli_epi16(sixteen, 7));
+      bits |= static_cast<std::uint64_t>(static_cast<unsigned int>(some)) << (16 * part);
+    }
+#else
     for (unsigned int part = 0; part < 8; ++part)
     {
       // Compilers make one load of it. The product moves the last bit of byte k to bit 56 + k; nothing else gets there.
@@ -155,6 +185,7 @@ private:
       const std::uint64_t        eight = at(0) | at(1) | at(2) | at(3) | at(4) | at(5) | at(6) | at(7);
       bits |= (eight * 0x0102040810204080u >> 56) << (8 * part);
     }
+#endif
     return bits;
   }
 

@@ -149,10 +149,8 @@ ImageDelaunayRefinementOracle<TImage>::ForEachRow(const DelaunayRefinementVoxelM
   const std::size_t     rows = static_cast<std::size_t>(size[1]) * size[2];
   const std::size_t     length = Threads::ChoosePieceLength(threads, rows, 1 + leastVoxels / size[0]);
   Threads::RunPieces(threads, rows, length, [&](std::size_t, std::size_t begin, std::size_t end) {
-    for (std::size_t row = begin; row < end; ++row)
-    {
-      action(static_cast<std::int32_t>(row % size[1]), static_cast<std::int32_t>(row / size[1]));
-    }
+    DelaunayRefinementVoxelMask::VisitRows(
+      size, begin, end, [&action](std::size_t, std::int32_t y, std::int32_t z) { action(y, z); });
   });
 }
 
@@ -269,9 +267,14 @@ ImageDelaunayRefinementOracle<TImage>::PrepareField(const ImageType *           
   if (std::string(m_Interpolator->GetNameOfClass()) != "BSplineInterpolateImageFunction")
   {
     ForEachRow(mask, threads, [&](std::int32_t y, std::int32_t z) {
-      mask.SetRow(y, z, [&](std::int32_t x) {
-        return this->IsInsideField({ static_cast<double>(x), static_cast<double>(y), static_cast<double>(z) });
-      });
+      // Asked once for each voxel, as interpolators take their time.
+      std::vector<std::uint8_t> isInside(mask.GetSize()[0]);
+      for (std::int32_t x = 0; x < mask.GetSize()[0]; ++x)
+      {
+        const PointType position{ static_cast<double>(x), static_cast<double>(y), static_cast<double>(z) };
+        isInside[x] = this->IsInsideField(position) ? 1 : 0;
+      }
+      mask.SetRow(y, z, [&isInside](std::int32_t x) { return isInside[x] != 0; });
     });
   }
 }

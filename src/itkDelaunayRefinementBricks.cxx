@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "itkDelaunayRefinementBricks.h"
 
+#include "itkDelaunayRefinementBits.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -271,6 +273,17 @@ DelaunayRefinementBricks::UpdateBounds()
       }
     }
   }
+}
+
+std::size_t
+DelaunayRefinementBricks::CountActiveCells() const
+{
+  std::size_t number = 0;
+  for (const std::uint64_t cells : m_Cells)
+  {
+    number += CountDelaunayRefinementBits(cells);
+  }
+  return number;
 }
 
 void

@@ -81,6 +81,9 @@ public:
     return number >= 0 ? BrickEnum::MIXED : number == NumberInside ? BrickEnum::INSIDE : BrickEnum::OUTSIDE;
   }
 
+  std::size_t
+  CountActiveCells() const;
+
   /** Bit x + 4 y + 16 z for each cell of a brick; 0 for bricks without surface. */
   std::uint64_t
   GetCells(const IndexType & brick) const

@@ -18,6 +18,7 @@
 #include "itkDelaunayRefinementLatticeOracle.h"
 
 #include "itkDelaunayRefinementBits.h"
+#include "itkDelaunayRefinementBricks.h"
 #include "itkDelaunayRefinementGeometry.h"
 #include "itkDelaunayRefinementVoxelCavities.h"
 
@@ -37,6 +38,9 @@ constexpr double TetrahedraPerArea = 3.4;
 /** Tetrahedra of the mesh for each cell size cubed of volume, as measured on a ball. */
 constexpr double TetrahedraPerVolume = 6.0;
 
+/** Over all orientations the faces of voxels have on average so many times the area of the smooth surface. */
+constexpr double FaceAreaPerArea = 1.5;
+
 constexpr double MostDefaultTetrahedra = 3e5;
 
 /** Components differ much in the time they take. */
@@ -50,10 +54,17 @@ constexpr double LeastDeltaInVoxels = 0.1;
 
 /** A component that holds no larger ball, in voxels, has no shape worth a fine mesh: it gets a larger delta. */
 constexpr double ThinInVoxels = 0.75;
-constexpr double DeltaPerRadiusOfThin = 1.5;
+constexpr double DeltaPerRadiusOfThin = 2.0;
 
 /** A component of fewer voxels may be left out. */
 constexpr std::size_t FewVoxels = 8;
+
+/** A component of fewer voxels needs no accurate delta. */
+constexpr std::size_t SmallVoxels = 64;
+
+/** Inscribed radii are as accurate as that. */
+constexpr double Slack = 0.02;
+constexpr double SlackOfSmall = 0.1;
 
 /** The radius of a ball in a single voxel's half level, in voxels. */
 constexpr double RadiusOfVoxel = 0.35;
@@ -84,9 +95,11 @@ DelaunayRefinementLatticeOracle::ComputeComponents(double enough) const
       components[i].numberOfVoxels = infos[i].numberOfVoxels;
       components[i].volume = voxelVolume * static_cast<double>(infos[i].numberOfVoxels);
       components[i].firstVoxel = this->ToPhysical(PointType{ first[0] + 1.0, first[1] + 1.0, first[2] + 1.0 });
-      components[i].inscribedRadius = isMask && infos[i].numberOfVoxels < FewVoxels
-                                        ? RadiusOfVoxel * this->GetLeastSpacing()
-                                        : this->ClimbToInscribedRadius(centers[i], enough);
+      components[i].inscribedRadius =
+        isMask && infos[i].numberOfVoxels < FewVoxels
+          ? RadiusOfVoxel * this->GetLeastSpacing()
+          : this->ClimbToInscribedRadius(
+              centers[i], enough, infos[i].numberOfVoxels < SmallVoxels ? SlackOfSmall : Slack);
       components[i].region = infos[i].region;
     }
   });
@@ -207,11 +220,10 @@ DelaunayRefinementLatticeOracle::FindThickVoxels(double enough) const
 }
 
 double
-DelaunayRefinementLatticeOracle::ClimbToInscribedRadius(const IndexType & voxel, double enough) const
+DelaunayRefinementLatticeOracle::ClimbToInscribedRadius(const IndexType & voxel, double enough, double slack) const
 {
   constexpr unsigned int maximumNumberOfSteps = 16;
   constexpr double       smallestGain = 0.05;
-  constexpr double       slack = 0.02;
   PointType              point = this->ToPhysical(PointType{ voxel[0] + 1.0, voxel[1] + 1.0, voxel[2] + 1.0 });
   const RegionType       region = this->HasRegions() ? this->GetRegion(voxel[0], voxel[1], voxel[2]) : 1;
   const auto             radiusAt = [&](const PointType & p, double nearEnough, PointType & closest) {
@@ -309,14 +321,19 @@ DelaunayRefinementLatticeOracle::EstimateSurfaceArea() const
       faces[axis] += static_cast<double>(some[axis]);
     }
   }
-  // Over all orientations the faces of voxels have on average one and a half times the area of the smooth surface.
   double area = 0.0;
   for (unsigned int i = 0; i < 3; ++i)
   {
-    const PointType normal = Geometry::Cross(m_Frame.axes[(i + 1) % 3], m_Frame.axes[(i + 2) % 3]);
-    area += faces[i] * std::sqrt(Geometry::Dot(normal, normal)) / 1.5;
+    area += faces[i] * this->GetFaceArea(i) / FaceAreaPerArea;
   }
   return area;
+}
+
+double
+DelaunayRefinementLatticeOracle::GetFaceArea(unsigned int axis) const
+{
+  const PointType normal = Geometry::Cross(m_Frame.axes[(axis + 1) % 3], m_Frame.axes[(axis + 2) % 3]);
+  return std::sqrt(Geometry::Dot(normal, normal));
 }
 
 double
@@ -368,7 +385,24 @@ DelaunayRefinementLatticeOracle::GetLeastSpacing() const
 double
 DelaunayRefinementLatticeOracle::EstimateNumberOfTetrahedra(const DelaunayRefinementParameters & parameters) const
 {
-  const double surface = TetrahedraPerArea * this->EstimateSurfaceArea() / (parameters.delta * parameters.delta);
+  return this->EstimateNumberOfTetrahedra(this->EstimateSurfaceArea(), parameters);
+}
+
+double
+DelaunayRefinementLatticeOracle::BoundNumberOfTetrahedra(const DelaunayRefinementParameters & parameters) const
+{
+  // Around each face of voxels that differ are four cells with surface, and each of these has at most four such faces
+  // across an axis.
+  const double facesPerAxis = static_cast<double>(m_Bricks->CountActiveCells());
+  return this->EstimateNumberOfTetrahedra(
+    facesPerAxis * (this->GetFaceArea(0) + this->GetFaceArea(1) + this->GetFaceArea(2)) / FaceAreaPerArea, parameters);
+}
+
+double
+DelaunayRefinementLatticeOracle::EstimateNumberOfTetrahedra(double                               area,
+                                                            const DelaunayRefinementParameters & parameters) const
+{
+  const double surface = TetrahedraPerArea * area / (parameters.delta * parameters.delta);
   const double volume = TetrahedraPerVolume * this->ComputeVoxelVolume() / std::pow(parameters.cellSize, 3);
   return surface + volume;
 }

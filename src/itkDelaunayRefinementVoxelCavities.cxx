@@ -26,67 +26,70 @@ DelaunayRefinementVoxelCavities::DelaunayRefinementVoxelCavities(const DelaunayR
   : m_Size(size)
 {
   this->FindGaps(components);
-  for (std::size_t row = 1; row < m_FirstGaps.size() - 1; ++row)
-  {
-    if (row % m_Size[1] != 0)
-    {
-      this->JoinRows(components, row, row - 1);
-    }
-    if (row >= static_cast<std::size_t>(m_Size[1]))
-    {
-      this->JoinRows(components, row, row - m_Size[1]);
-    }
-  }
+  const auto rowsPerSlice = static_cast<std::size_t>(m_Size[1]);
+  DelaunayRefinementVoxelMask::VisitRows(
+    m_Size, 0, m_FirstGaps.size() - 1, [&](std::size_t row, std::int32_t y, std::int32_t z) {
+      if (m_FirstGaps[row] == m_FirstGaps[row + 1])
+      {
+        return;
+      }
+      if (!this->IsAtBorder(y, z))
+      {
+        for (const std::size_t other : { row - 1, row + 1, row - rowsPerSlice, row + rowsPerSlice })
+        {
+          this->JoinToOutside(components, row, other);
+        }
+      }
+      if (y > 0)
+      {
+        this->JoinRows(row, row - 1);
+      }
+      if (z > 0)
+      {
+        this->JoinRows(row, row - rowsPerSlice);
+      }
+    });
   this->NumberCavities();
 }
 
 void
 DelaunayRefinementVoxelCavities::FindGaps(const DelaunayRefinementVoxelComponents & components)
 {
-  const auto & runs = components.GetRuns();
+  const auto &      runs = components.GetRuns();
+  const std::size_t rows = static_cast<std::size_t>(m_Size[1]) * m_Size[2];
   m_Gaps.push_back({ 0, -1, 0 });
-  m_FirstGaps.reserve(static_cast<std::size_t>(m_Size[1]) * m_Size[2] + 1);
-  for (std::int32_t z = 0; z < m_Size[2]; ++z)
-  {
-    for (std::int32_t y = 0; y < m_Size[1]; ++y)
+  m_FirstGaps.resize(rows + 1);
+  DelaunayRefinementVoxelMask::VisitRows(m_Size, 0, rows, [&](std::size_t row, std::int32_t y, std::int32_t z) {
+    m_FirstGaps[row] = static_cast<std::uint32_t>(m_Gaps.size());
+    const std::size_t end = components.GetFirstRun(row + 1);
+    for (std::size_t i = components.GetFirstRun(row); i + 1 < end; ++i)
     {
-      m_FirstGaps.push_back(static_cast<std::uint32_t>(m_Gaps.size()));
-      // Nothing surrounds the rows at the border.
-      const bool        isBorder = y == 0 || z == 0 || y == m_Size[1] - 1 || z == m_Size[2] - 1;
-      const std::size_t end = components.GetFirstRun(y + 1, z);
-      for (std::size_t i = components.GetFirstRun(y, z); i + 1 < end; ++i)
+      if (runs[i].last + 1 < runs[i + 1].first)
       {
-        if (runs[i].last + 1 < runs[i + 1].first)
-        {
-          const auto number = static_cast<std::uint32_t>(m_Gaps.size());
-          m_Gaps.push_back({ runs[i].last + 1, runs[i + 1].first - 1, isBorder ? 0 : number });
-        }
+        const auto number = static_cast<std::uint32_t>(m_Gaps.size());
+        m_Gaps.push_back({ runs[i].last + 1, runs[i + 1].first - 1, this->IsAtBorder(y, z) ? 0 : number });
       }
     }
-  }
-  m_FirstGaps.push_back(static_cast<std::uint32_t>(m_Gaps.size()));
+  });
+  m_FirstGaps[rows] = static_cast<std::uint32_t>(m_Gaps.size());
+}
+
+bool
+DelaunayRefinementVoxelCavities::IsAtBorder(std::int32_t y, std::int32_t z) const
+{
+  return y == 0 || z == 0 || y == m_Size[1] - 1 || z == m_Size[2] - 1;
 }
 
 void
-DelaunayRefinementVoxelCavities::JoinRows(const DelaunayRefinementVoxelComponents & components,
-                                          std::size_t                               row,
-                                          std::size_t                               other)
+DelaunayRefinementVoxelCavities::JoinRows(std::size_t row, std::size_t other)
 {
   std::uint32_t       i = m_FirstGaps[row];
   std::uint32_t       j = m_FirstGaps[other];
   const std::uint32_t endI = m_FirstGaps[row + 1];
   const std::uint32_t endJ = m_FirstGaps[other + 1];
-  const auto          isOutside = [](const GapType & gap) { return gap.root == 0; };
-  if (std::all_of(m_Gaps.begin() + i, m_Gaps.begin() + endI, isOutside) &&
-      std::all_of(m_Gaps.begin() + j, m_Gaps.begin() + endJ, isOutside))
-  {
-    return;
-  }
-  this->JoinToOutside(components, i, endI, other);
-  this->JoinToOutside(components, j, endJ, row);
   while (i < endI && j < endJ)
   {
-    if (m_Gaps[i].first <= m_Gaps[j].last && m_Gaps[j].first <= m_Gaps[i].last)
+    if (m_Gaps[i].root != m_Gaps[j].root && m_Gaps[i].first <= m_Gaps[j].last && m_Gaps[j].first <= m_Gaps[i].last)
     {
       this->Join(i, j);
     }
@@ -96,22 +99,16 @@ DelaunayRefinementVoxelCavities::JoinRows(const DelaunayRefinementVoxelComponent
 
 void
 DelaunayRefinementVoxelCavities::JoinToOutside(const DelaunayRefinementVoxelComponents & components,
-                                               std::uint32_t                             begin,
-                                               std::uint32_t                             end,
-                                               std::size_t                               row)
+                                               std::size_t                               row,
+                                               std::size_t                               other)
 {
-  if (begin == end)
-  {
-    return;
-  }
   const auto *      runs = components.GetRuns().data();
-  const auto        y = static_cast<std::int32_t>(row % m_Size[1]);
-  const auto        z = static_cast<std::int32_t>(row / m_Size[1]);
-  const std::size_t firstRun = components.GetFirstRun(y, z);
-  const std::size_t endOfRuns = components.GetFirstRun(y + 1, z);
-  for (std::uint32_t i = begin; i < end; ++i)
+  const std::size_t firstRun = components.GetFirstRun(other);
+  const std::size_t endOfRuns = components.GetFirstRun(other + 1);
+  for (std::uint32_t i = m_FirstGaps[row]; i < m_FirstGaps[row + 1]; ++i)
   {
-    if (firstRun == endOfRuns || m_Gaps[i].first < runs[firstRun].first || m_Gaps[i].last > runs[endOfRuns - 1].last)
+    if (m_Gaps[i].root != 0 &&
+        (firstRun == endOfRuns || m_Gaps[i].first < runs[firstRun].first || m_Gaps[i].last > runs[endOfRuns - 1].last))
     {
       this->Join(i, 0);
     }
@@ -129,8 +126,8 @@ DelaunayRefinementVoxelCavities::NumberCavities()
   std::vector<std::uint32_t> numbers(m_Gaps.size(), None);
   std::uint32_t              kept = 0;
   std::uint32_t              next = 1;
-  for (std::size_t row = 0; row + 1 < m_FirstGaps.size(); ++row)
-  {
+  const std::size_t          rows = m_FirstGaps.size() - 1;
+  DelaunayRefinementVoxelMask::VisitRows(m_Size, 0, rows, [&](std::size_t row, std::int32_t y, std::int32_t z) {
     m_FirstGaps[row] = kept;
     for (const std::uint32_t end = m_FirstGaps[row + 1]; next < end; ++next)
     {
@@ -139,9 +136,7 @@ DelaunayRefinementVoxelCavities::NumberCavities()
       {
         continue;
       }
-      const IndexType first{ gap.first,
-                             static_cast<std::int32_t>(row % m_Size[1]),
-                             static_cast<std::int32_t>(row / m_Size[1]) };
+      const IndexType first{ gap.first, y, z };
       if (gap.root == next)
       {
         numbers[next] = static_cast<std::uint32_t>(m_Cavities.size());
@@ -158,7 +153,7 @@ DelaunayRefinementVoxelCavities::NumberCavities()
       }
       ++kept;
     }
-  }
+  });
   m_FirstGaps.back() = kept;
   m_Gaps.resize(kept);
   m_Gaps.shrink_to_fit();
@@ -180,7 +175,11 @@ DelaunayRefinementVoxelCavities::Join(std::uint32_t a, std::uint32_t b)
 {
   const std::uint32_t rootA = this->FindRoot(a);
   const std::uint32_t rootB = this->FindRoot(b);
-  m_Gaps[std::max(rootA, rootB)].root = std::min(rootA, rootB);
+  const std::uint32_t root = std::min(rootA, rootB);
+  m_Gaps[std::max(rootA, rootB)].root = root;
+  // A shorter way for the next rows.
+  m_Gaps[a].root = root;
+  m_Gaps[b].root = root;
 }
 
 std::uint32_t

@@ -71,16 +71,17 @@ private:
   void
   FindGaps(const DelaunayRefinementVoxelComponents & components);
 
+  /** Whether nothing surrounds a row. */
+  bool
+  IsAtBorder(std::int32_t y, std::int32_t z) const;
+
   /** Joins the gaps of two rows that share faces. */
   void
-  JoinRows(const DelaunayRefinementVoxelComponents & components, std::size_t row, std::size_t other);
+  JoinRows(std::size_t row, std::size_t other);
 
-  /** Joins gaps to the outside that share faces with what is beyond the runs of a row. */
+  /** Joins gaps of a row to the outside that share faces with what is beyond the runs of another one. */
   void
-  JoinToOutside(const DelaunayRefinementVoxelComponents & components,
-                std::uint32_t                             begin,
-                std::uint32_t                             end,
-                std::size_t                               row);
+  JoinToOutside(const DelaunayRefinementVoxelComponents & components, std::size_t row, std::size_t other);
 
   /** Cavities are what is left of the gaps, without those of the outside. */
   void

@@ -33,38 +33,71 @@ using Threads = DelaunayRefinementThreads;
 /** Fewer rows are no work for a thread. */
 constexpr std::size_t LeastRowsPerPiece = 512;
 
-/** The lowest bit at or after \c from that is set in a word that \c wordAt gives. */
-template <typename TWordAt>
-std::int32_t
-FindBit(const TWordAt & wordAt, std::int32_t from, std::int32_t end)
-{
-  while (from < end)
-  {
-    const std::uint64_t word = wordAt(from >> 6) >> (from & 63);
-    if (word != 0)
-    {
-      return std::min(end, from + static_cast<std::int32_t>(FindDelaunayRefinementBit(word)));
-    }
-    from = (from | 63) + 1;
-  }
-  return end;
-}
+/** In place of the component of a row's runs if it has none, or they are of several. */
+constexpr ComponentType NoComponent = std::numeric_limits<ComponentType>::max();
+constexpr ComponentType SeveralComponents = NoComponent - 1;
 
-/** A run also ends where \c changes, if there are any, says so. */
-ComponentType
-CountRuns(const std::uint64_t * words, const std::uint64_t * changes, std::size_t numberOfWords)
+/** \class RowWords
+ * \brief Where the runs of a row begin and end: a run also ends where \c changes, if there are any, says so. */
+class RowWords
 {
-  ComponentType count = 0;
-  std::uint64_t carry = 0;
-  for (std::size_t i = 0; i < numberOfWords; ++i)
+public:
+  RowWords(const std::uint64_t * words, const std::uint64_t * changes, std::size_t numberOfWords)
+    : m_Words(words)
+    , m_Changes(changes)
+    , m_NumberOfWords(numberOfWords)
+  {}
+
+  ComponentType
+  CountRuns() const
   {
-    const std::uint64_t joined = (words[i] << 1 | carry) & (changes == nullptr ? ~std::uint64_t{ 0 } : ~changes[i]);
-    const std::uint64_t starts = words[i] & ~joined;
-    count += starts == 0 ? 0 : CountDelaunayRefinementBits(starts);
-    carry = words[i] >> 63;
+    ComponentType count = 0;
+    for (std::size_t i = 0; i < m_NumberOfWords; ++i)
+    {
+      const std::uint64_t firsts = m_Words[i] & ~this->FindFollowers(i);
+      count += firsts == 0 ? 0 : CountDelaunayRefinementBits(firsts);
+    }
+    return count;
   }
-  return count;
-}
+
+  /** Fills in the first and last voxels of as many runs. */
+  void
+  ListRuns(DelaunayRefinementVoxelComponents::RunType * runs) const
+  {
+    auto *        nextFirst = runs;
+    auto *        nextLast = runs;
+    std::uint64_t followers = this->FindFollowers(0);
+    for (std::size_t i = 0; i < m_NumberOfWords; ++i)
+    {
+      const std::uint64_t followersAfter = i + 1 < m_NumberOfWords ? this->FindFollowers(i + 1) : 0;
+      // Bit x + 1 is voxel x.
+      const std::int32_t voxel = static_cast<std::int32_t>(64 * i) - 1;
+      for (std::uint64_t firsts = m_Words[i] & ~followers; firsts != 0; firsts &= firsts - 1)
+      {
+        (nextFirst++)->first = voxel + static_cast<std::int32_t>(FindDelaunayRefinementBit(firsts));
+      }
+      for (std::uint64_t lasts = m_Words[i] & ~(followers >> 1 | followersAfter << 63); lasts != 0; lasts &= lasts - 1)
+      {
+        (nextLast++)->last = voxel + static_cast<std::int32_t>(FindDelaunayRefinementBit(lasts));
+      }
+      followers = followersAfter;
+    }
+  }
+
+private:
+  /** The voxels of a word that belong to the same run as the one before them. */
+  std::uint64_t
+  FindFollowers(std::size_t i) const
+  {
+    const std::uint64_t carry = i == 0 ? 0 : m_Words[i - 1] >> 63;
+    const std::uint64_t same = m_Changes == nullptr ? ~std::uint64_t{ 0 } : ~m_Changes[i];
+    return m_Words[i] & (m_Words[i] << 1 | carry) & same;
+  }
+
+  const std::uint64_t * m_Words;
+  const std::uint64_t * m_Changes;
+  std::size_t           m_NumberOfWords;
+};
 
 /** What two parts of the rows, one after the other, know of one component. */
 void
@@ -103,15 +136,12 @@ DelaunayRefinementVoxelComponents::DelaunayRefinementVoxelComponents(const Delau
   const std::size_t rows = this->GetNumberOfRows();
   const std::size_t length = Threads::ChoosePieceLength(threads, rows, LeastRowsPerPiece);
   Threads::RunPieces(threads, rows, length, [&](std::size_t, std::size_t begin, std::size_t end) {
-    for (std::size_t row = begin; row < end; ++row)
-    {
-      const auto y = static_cast<std::int32_t>(row % m_Size[1]);
-      const auto z = static_cast<std::int32_t>(row / m_Size[1]);
+    DelaunayRefinementVoxelMask::VisitRows(m_Size, begin, end, [&](std::size_t row, std::int32_t y, std::int32_t z) {
       for (std::size_t i = m_FirstRuns[row]; i < m_FirstRuns[row + 1]; ++i)
       {
         m_Regions[i] = regionOf(m_Runs[i].first, y, z);
       }
-    }
+    });
   });
   this->FindComponents(threads);
 }
@@ -129,6 +159,7 @@ DelaunayRefinementVoxelComponents::FindComponents(DelaunayRefinementThreads * th
   {
     this->JoinSliceToPrevious(static_cast<std::int32_t>(z));
   }
+  m_RowComponents = {};
   this->NumberComponents();
 
   // Each piece has its own list of components, which is to be shorter than its list of runs.
@@ -155,28 +186,21 @@ DelaunayRefinementVoxelComponents::FindRuns(const DelaunayRefinementVoxelMask & 
 {
   const std::size_t rows = this->GetNumberOfRows();
   const std::size_t length = Threads::ChoosePieceLength(threads, rows, LeastRowsPerPiece);
-  const auto        wordsOf = [&](std::size_t row) {
-    return mask.GetRow(static_cast<std::int32_t>(row % m_Size[1]) + 1, static_cast<std::int32_t>(row / m_Size[1]) + 1);
-  };
-  const auto isEmpty = [&](std::size_t row) {
-    return mask.IsRowEmpty(static_cast<std::int32_t>(row % m_Size[1]) + 1,
-                           static_cast<std::int32_t>(row / m_Size[1]) + 1);
-  };
-  const auto changesOf = [&](std::size_t row) -> const std::uint64_t * {
-    return changes == nullptr ? nullptr
-                              : changes->GetRow(0,
-                                                static_cast<std::int32_t>(row % m_Size[1]) + 1,
-                                                static_cast<std::int32_t>(row / m_Size[1]) + 1);
+  const auto        wordsOf = [&](std::int32_t y, std::int32_t z) {
+    return RowWords(mask.GetRow(y + 1, z + 1),
+                    changes == nullptr ? nullptr : changes->GetRow(0, y + 1, z + 1),
+                    mask.GetWordsPerRow());
   };
   // Each row's number of runs at first.
   m_FirstRuns.resize(rows + 1);
   std::vector<std::size_t> firstOfPieces(Threads::CountPieces(rows, length) + 1, 0);
   Threads::RunPieces(threads, rows, length, [&](std::size_t piece, std::size_t begin, std::size_t end) {
-    for (std::size_t row = begin; row < end; ++row)
-    {
-      m_FirstRuns[row] = isEmpty(row) ? 0 : CountRuns(wordsOf(row), changesOf(row), mask.GetWordsPerRow());
-      firstOfPieces[piece + 1] += m_FirstRuns[row];
-    }
+    std::size_t number = 0;
+    DelaunayRefinementVoxelMask::VisitRows(m_Size, begin, end, [&](std::size_t row, std::int32_t y, std::int32_t z) {
+      m_FirstRuns[row] = mask.IsRowEmpty(y + 1, z + 1) ? 0 : wordsOf(y, z).CountRuns();
+      number += m_FirstRuns[row];
+    });
+    firstOfPieces[piece + 1] = number;
   });
   for (std::size_t i = 1; i < firstOfPieces.size(); ++i)
   {
@@ -184,26 +208,23 @@ DelaunayRefinementVoxelComponents::FindRuns(const DelaunayRefinementVoxelMask & 
   }
   m_FirstRuns[rows] = static_cast<ComponentType>(firstOfPieces.back());
   m_Runs.resize(firstOfPieces.back());
+  m_RowComponents.resize(rows);
   Threads::RunPieces(threads, rows, length, [&](std::size_t piece, std::size_t begin, std::size_t end) {
-    std::size_t next = firstOfPieces[piece];
-    for (std::size_t row = begin; row < end; ++row)
-    {
-      const std::size_t     endOfRow = next + m_FirstRuns[row];
-      const std::uint64_t * words = wordsOf(row);
-      const std::uint64_t * changesHere = changesOf(row);
-      const auto            inside = [words](std::int32_t word) { return words[word]; };
-      const auto            ends = [words, changesHere](std::int32_t word) {
-        return changesHere == nullptr ? ~words[word] : ~words[word] | changesHere[word];
-      };
-      const std::int32_t endOfBits = m_Size[0] + 1;
-      m_FirstRuns[row] = static_cast<ComponentType>(next);
-      for (std::int32_t bit = 1; next < endOfRow; ++next)
+    auto next = static_cast<ComponentType>(firstOfPieces[piece]);
+    DelaunayRefinementVoxelMask::VisitRows(m_Size, begin, end, [&](std::size_t row, std::int32_t y, std::int32_t z) {
+      const ComponentType number = m_FirstRuns[row];
+      const ComponentType endOfRow = next + number;
+      m_FirstRuns[row] = next;
+      m_RowComponents[row] = number == 0 ? NoComponent : number == 1 ? next : SeveralComponents;
+      if (number > 0)
       {
-        const std::int32_t first = FindBit(inside, bit, endOfBits);
-        bit = FindBit(ends, first + 1, endOfBits);
-        m_Runs[next] = { first - 1, bit - 2, static_cast<ComponentType>(next) };
+        wordsOf(y, z).ListRuns(m_Runs.data() + next);
       }
-    }
+      for (; next < endOfRow; ++next)
+      {
+        m_Runs[next].component = next;
+      }
+    });
   });
 }
 
@@ -233,24 +254,18 @@ DelaunayRefinementVoxelComponents::JoinRuns(std::size_t i, std::size_t j)
 void
 DelaunayRefinementVoxelComponents::JoinRows(std::size_t row, std::size_t other, std::int32_t reach)
 {
+  const ComponentType here = m_RowComponents[row];
+  const ComponentType there = m_RowComponents[other];
+  if (here == NoComponent || there == NoComponent || (here == there && here != SeveralComponents))
+  {
+    // As most are.
+    return;
+  }
   std::size_t       i = m_FirstRuns[row];
   std::size_t       j = m_FirstRuns[other];
   const std::size_t endI = m_FirstRuns[row + 1];
   const std::size_t endJ = m_FirstRuns[other + 1];
-  if (i == endI || j == endJ)
-  {
-    return;
-  }
-  // Most rows are of one component, and known to be.
-  const auto isOfFirst = [first = m_Runs[i].component](const RunType & run) { return run.component == first; };
-  const auto areOfFirst = [&](std::size_t begin, std::size_t end) {
-    return std::all_of(m_Runs.data() + begin, m_Runs.data() + end, isOfFirst);
-  };
-  if (areOfFirst(j, endJ) && areOfFirst(i, endI))
-  {
-    return;
-  }
-  const auto joinIfNear = [this, reach](std::size_t one, std::size_t two) {
+  const auto        joinIfNear = [this, reach](std::size_t one, std::size_t two) {
     const RunType & a = m_Runs[one];
     const RunType & b = m_Runs[two];
     if (a.component != b.component && a.first <= b.last + reach && b.first <= a.last + reach &&
@@ -259,6 +274,13 @@ DelaunayRefinementVoxelComponents::JoinRows(std::size_t row, std::size_t other, 
       this->JoinRuns(one, two);
     }
   };
+  if (i + 1 == endI && j + 1 == endJ)
+  {
+    joinIfNear(i, j);
+    m_RowComponents[row] = m_Runs[i].component;
+    m_RowComponents[other] = m_Runs[j].component;
+    return;
+  }
   while (i < endI && j < endJ)
   {
     joinIfNear(i, j);
@@ -274,6 +296,24 @@ DelaunayRefinementVoxelComponents::JoinRows(std::size_t row, std::size_t other, 
     }
     ++j;
   }
+  m_RowComponents[row] = this->FindComponentOfRow(row);
+  m_RowComponents[other] = this->FindComponentOfRow(other);
+}
+
+ComponentType
+DelaunayRefinementVoxelComponents::FindComponentOfRow(std::size_t row) const
+{
+  const std::size_t   begin = m_FirstRuns[row];
+  const std::size_t   end = m_FirstRuns[row + 1];
+  const ComponentType component = m_Runs[begin].component;
+  for (std::size_t i = begin + 1; i < end; ++i)
+  {
+    if (m_Runs[i].component != component)
+    {
+      return SeveralComponents;
+    }
+  }
+  return component;
 }
 
 void
@@ -302,7 +342,7 @@ DelaunayRefinementVoxelComponents::JoinSliceToPrevious(std::int32_t z)
   for (std::size_t y = 0; y < rowsPerSlice; ++y)
   {
     const std::size_t row = static_cast<std::size_t>(z) * rowsPerSlice + y;
-    if (m_FirstRuns[row] == m_FirstRuns[row + 1])
+    if (m_RowComponents[row] == NoComponent)
     {
       continue;
     }
@@ -337,26 +377,24 @@ DelaunayRefinementVoxelComponents::Summarize(std::size_t                      be
                                              std::size_t                      endRow,
                                              std::vector<ComponentInfoType> & infos) const
 {
-  for (std::size_t row = beginRow; row < endRow; ++row)
-  {
-    const auto y = static_cast<std::int32_t>(row % m_Size[1]);
-    const auto z = static_cast<std::int32_t>(row / m_Size[1]);
-    for (std::size_t i = m_FirstRuns[row]; i < m_FirstRuns[row + 1]; ++i)
-    {
-      const RunType &     run = m_Runs[i];
-      ComponentInfoType & info = infos[run.component];
-      if (info.numberOfVoxels == 0)
+  DelaunayRefinementVoxelMask::VisitRows(
+    m_Size, beginRow, endRow, [&](std::size_t row, std::int32_t y, std::int32_t z) {
+      for (std::size_t i = m_FirstRuns[row]; i < m_FirstRuns[row + 1]; ++i)
       {
-        info.firstVoxel = { run.first, y, z };
-        info.region = m_Regions.empty() ? 1 : m_Regions[i];
-        info.minimum[2] = z;
+        const RunType &     run = m_Runs[i];
+        ComponentInfoType & info = infos[run.component];
+        if (info.numberOfVoxels == 0)
+        {
+          info.firstVoxel = { run.first, y, z };
+          info.region = m_Regions.empty() ? 1 : m_Regions[i];
+          info.minimum[2] = z;
+        }
+        info.numberOfVoxels += static_cast<std::size_t>(run.last - run.first + 1);
+        info.minimum[0] = std::min(info.minimum[0], run.first);
+        info.minimum[1] = std::min(info.minimum[1], y);
+        info.maximum = { std::max(info.maximum[0], run.last), std::max(info.maximum[1], y), z };
       }
-      info.numberOfVoxels += static_cast<std::size_t>(run.last - run.first + 1);
-      info.minimum[0] = std::min(info.minimum[0], run.first);
-      info.minimum[1] = std::min(info.minimum[1], y);
-      info.maximum = { std::max(info.maximum[0], run.last), std::max(info.maximum[1], y), z };
-    }
-  }
+    });
 }
 
 void

@@ -297,6 +297,23 @@ TEST(ImageDelaunayRefinementOracle, ComponentsAreNumberedAndBounded)
   EXPECT_LT(components[right].inscribedRadius, 3.0 + OneVoxel);
 }
 
+TEST(ImageDelaunayRefinementOracle, RoughNumberOfTetrahedraIsABound)
+{
+  std::mt19937 random(4);
+  for (const unsigned int oneIn : { 2u, 3u, 50u })
+  {
+    const auto image =
+      MakeImage<float>(MakeCubeGeometry(20), [&](const PointType &) { return random() % oneIn == 0 ? 1.0 : 0.0; });
+    ObjectType                        object;
+    const OracleType                  oracle(image, object);
+    itk::DelaunayRefinementParameters parameters;
+    parameters.delta = 2.0;
+    const double estimate = oracle.EstimateNumberOfTetrahedra(parameters);
+    EXPECT_LE(estimate, oracle.BoundNumberOfTetrahedra(parameters));
+    EXPECT_GE(4.0 * estimate, oracle.BoundNumberOfTetrahedra(parameters));
+  }
+}
+
 TEST(ImageDelaunayRefinementOracle, LeastOfComponentsIsBoundedInPatches)
 {
   // Blocks of voxels and single ones, so that components touch everywhere.
