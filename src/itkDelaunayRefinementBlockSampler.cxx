@@ -304,7 +304,7 @@ DelaunayRefinementBlockSampler::SamplePatch(const PatchesType::IdentifierType & 
     point = Geometry::RoundPointToFloat(point);
   }
   this->AddVertex(point);
-  m_Cover.CoverFrom(point, m_Block);
+  m_Cover.CoverFrom(point, m_Block, m_Reached);
   return OutcomeEnum::INSERTED;
 }
 

@@ -179,7 +179,7 @@ DelaunayRefinementPatchCover::FindCube(const PointType & point, double offset) c
 }
 
 void
-DelaunayRefinementPatchCover::CoverFrom(const PointType & vertex)
+DelaunayRefinementPatchCover::CoverFrom(const PointType & vertex, NumbersType & scratch)
 {
   if (m_Blocks.empty())
   {
@@ -193,14 +193,14 @@ DelaunayRefinementPatchCover::CoverFrom(const PointType & vertex)
       for (std::int32_t x = cubes.first[0] / m_BlockSize[0]; x <= cubes.last[0] / m_BlockSize[0]; ++x)
       {
         const std::size_t number = this->ToBlock({ x, y, z });
-        this->Cover(m_Blocks[number].words.FindPlace(vertex), cubes, number);
+        this->Cover(m_Blocks[number].words.FindPlace(vertex), cubes, number, scratch);
       }
     }
   }
 }
 
 void
-DelaunayRefinementPatchCover::CoverFrom(const PointType & vertex, std::size_t block)
+DelaunayRefinementPatchCover::CoverFrom(const PointType & vertex, std::size_t block, NumbersType & scratch)
 {
   RangeType        cubes = this->FindReach(vertex);
   const auto       place = m_Blocks[block].words.FindPlace(vertex);
@@ -224,7 +224,7 @@ DelaunayRefinementPatchCover::CoverFrom(const PointType & vertex, std::size_t bl
       {
         const std::ptrdiff_t offset =
           (static_cast<std::ptrdiff_t>(z) * m_BlocksPerAxis[1] + y) * m_BlocksPerAxis[0] + x;
-        this->Cover(place, cubes, block + offset);
+        this->Cover(place, cubes, block + offset, scratch);
       }
     }
   }
@@ -233,7 +233,8 @@ DelaunayRefinementPatchCover::CoverFrom(const PointType & vertex, std::size_t bl
 void
 DelaunayRefinementPatchCover::Cover(const DelaunayRefinementSurfaceWords::PlaceType & vertex,
                                     const RangeType &                                 cubes,
-                                    std::size_t                                       number)
+                                    std::size_t                                       number,
+                                    NumbersType &                                     scratch)
 {
   BlockType & block = m_Blocks[number];
   CubeType    first;
@@ -247,6 +248,7 @@ DelaunayRefinementPatchCover::Cover(const DelaunayRefinementSurfaceWords::PlaceT
       return;
     }
   }
+  scratch.clear();
   const std::uint32_t * const starts = m_Starts.data() + number * m_CubesPerBlock;
   for (std::int32_t z = first[2]; z <= last[2]; ++z)
   {
@@ -258,10 +260,11 @@ DelaunayRefinementPatchCover::Cover(const DelaunayRefinementSurfaceWords::PlaceT
       const std::uint32_t end = row[last[0] + 1];
       if (begin < end)
       {
-        block.words.CoverFrom(vertex, m_Groups[begin].begin, m_Groups[end - 1].end);
+        block.words.FindWithinReach(vertex, m_Groups[begin].begin, m_Groups[end - 1].end, scratch);
       }
       row += m_BlockSize[0];
     }
   }
+  block.words.CoverFrom(vertex, scratch);
 }
 } // end namespace itk

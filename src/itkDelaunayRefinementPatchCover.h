@@ -98,13 +98,16 @@ public:
     return m_Groups[number];
   }
 
+  /** The words that are at hand, as scratch. */
+  using NumbersType = DelaunayRefinementSurfaceWords::NumbersType;
+
   /** Clears all cells that a vertex covers. */
   void
-  CoverFrom(const PointType & vertex);
+  CoverFrom(const PointType & vertex, NumbersType & scratch);
 
   /** The same for a vertex in a block; safe while other threads do it for other blocks of this color. */
   void
-  CoverFrom(const PointType & vertex, std::size_t block);
+  CoverFrom(const PointType & vertex, std::size_t block, NumbersType & scratch);
 
 private:
   struct RangeType
@@ -134,7 +137,10 @@ private:
 
   /** Clears cells of one block, in some cubes. */
   void
-  Cover(const DelaunayRefinementSurfaceWords::PlaceType & vertex, const RangeType & cubes, std::size_t block);
+  Cover(const DelaunayRefinementSurfaceWords::PlaceType & vertex,
+        const RangeType &                                 cubes,
+        std::size_t                                       block,
+        NumbersType &                                     scratch);
 
   /** Of a block among the blocks. */
   CubeType

@@ -160,9 +160,10 @@ DelaunayRefinementSurfaceSample::Certify(std::vector<PointType> &      points,
   {
     return false;
   }
+  DelaunayRefinementPatchCover::NumbersType scratch;
   for (const PointType & vertex : m_Grid.GetPoints())
   {
-    cover.CoverFrom(vertex);
+    cover.CoverFrom(vertex, scratch);
   }
   const auto                          colors = cover.GetColors();
   std::vector<std::vector<PointType>> found;

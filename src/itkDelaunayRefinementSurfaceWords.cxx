@@ -30,11 +30,6 @@ namespace
 {
 using Geometry = DelaunayRefinementGeometry;
 
-std::uint64_t
-Join(std::int32_t low, std::int32_t high)
-{
-  return std::uint64_t{ static_cast<std::uint32_t>(high) } << 32 | static_cast<std::uint32_t>(low);
-}
 } // namespace
 
 void
@@ -78,40 +73,50 @@ DelaunayRefinementSurfaceWords::FindPlace(const PointType & point) const
   return { static_cast<float>(place[0]), static_cast<float>(place[1]), static_cast<float>(place[2]) };
 }
 
-ITK_DELAUNAY_REFINEMENT_WIDE_LOOPS
 void
-DelaunayRefinementSurfaceWords::CoverFrom(const PlaceType & vertex, std::size_t begin, std::size_t end)
+DelaunayRefinementSurfaceWords::FindWithinReach(const PlaceType & vertex,
+                                                std::size_t       begin,
+                                                std::size_t       end,
+                                                NumbersType &     found) const
 {
-  constexpr std::int32_t side = CellsType::CellsPerSide;
-  for (std::size_t number = begin; number < end; ++number)
+  // Which ones are no processor foresees: each is written down, and kept by counting.
+  std::size_t number = found.size();
+  found.resize(number + end - begin);
+  for (std::size_t i = begin; i < end; ++i)
   {
-    WordType & word = m_Words[number];
-    if ((word.uncovered | word.hopeful) == 0)
+    const WordType & word = m_Words[i];
+    float            squaredDistance = 0.0f;
+    for (unsigned int axis = 0; axis < 3; ++axis)
     {
-      continue;
-    }
-    float offsets[3];
-    float squaredDistance = 0.0f;
-    for (unsigned int i = 0; i < 3; ++i)
-    {
-      const float half = 0.5f * side * word.edges[i];
-      offsets[i] = vertex[i] - word.corner[i];
-      const float beyond = std::abs(offsets[i] - half) - half;
+      const float half = 0.5f * CellsType::CellsPerSide * word.edges[axis];
+      const float beyond = std::abs(vertex[axis] - word.corner[axis] - half) - half;
       const float positive = 0.5f * (beyond + std::abs(beyond));
       squaredDistance += positive * positive;
     }
-    if (squaredDistance > word.squaredReach)
-    {
-      continue;
-    }
+    found[number] = static_cast<std::uint32_t>(i);
+    const bool isOpen = (word.uncovered | word.hopeful) != 0;
+    number += (isOpen ? 1 : 0) & (squaredDistance <= word.squaredReach ? 1 : 0);
+  }
+  found.resize(number);
+}
+
+ITK_DELAUNAY_REFINEMENT_WIDE_LOOPS
+void
+DelaunayRefinementSurfaceWords::CoverFrom(const PlaceType & vertex, const NumbersType & numbers)
+{
+  constexpr std::int32_t side = CellsType::CellsPerSide;
+  for (const std::uint32_t number : numbers)
+  {
+    WordType & word = m_Words[number];
     // Along each axis, to the centers and to the furthest points.
     float squares[3][side];
     float furthests[3][side];
     for (unsigned int i = 0; i < 3; ++i)
     {
+      const float offset = vertex[i] - word.corner[i];
       for (std::int32_t j = 0; j < side; ++j)
       {
-        const float distance = std::abs(offsets[i] - (static_cast<float>(j) + 0.5f) * word.edges[i]);
+        const float distance = std::abs(offset - (static_cast<float>(j) + 0.5f) * word.edges[i]);
         const float furthest = distance + 0.5f * word.edges[i];
         squares[i][j] = distance * distance;
         furthests[i][j] = furthest * furthest;
@@ -125,25 +130,15 @@ DelaunayRefinementSurfaceWords::CoverFrom(const PlaceType & vertex, std::size_t 
       rows[i] = word.squaredReach - (squares[0][i % side] + squares[1][i / side]);
       furthestRows[i] = word.squaredReach - (furthests[0][i % side] + furthests[1][i / side]);
     }
-    const float  z[side] = { squares[2][0], squares[2][1], squares[2][2], squares[2][3] };
-    const float  furthestZ[side] = { furthests[2][0], furthests[2][1], furthests[2][2], furthests[2][3] };
-    std::int32_t within[2] = { 0, 0 };
-    std::int32_t covered[2] = { 0, 0 };
-    // Compilers do several rows at once; GCC 12 unless it writes out the loop before.
-#ifdef __GNUC__
-#  pragma GCC unroll 1
-#endif
-    for (std::int32_t i = 0; i < side * side; ++i)
+    std::uint64_t within = 0;
+    std::uint64_t covered = 0;
+    for (std::int32_t i = 0; i < side; ++i)
     {
-      const std::int32_t low = 1 << i;
-      const auto         high = static_cast<std::int32_t>(0x10000u << i);
-      within[0] |= (z[0] <= rows[i] ? low : 0) | (z[1] <= rows[i] ? high : 0);
-      within[1] |= (z[2] <= rows[i] ? low : 0) | (z[3] <= rows[i] ? high : 0);
-      covered[0] |= (furthestZ[0] <= furthestRows[i] ? low : 0) | (furthestZ[1] <= furthestRows[i] ? high : 0);
-      covered[1] |= (furthestZ[2] <= furthestRows[i] ? low : 0) | (furthestZ[3] <= furthestRows[i] ? high : 0);
+      within |= std::uint64_t{ FindDelaunayRefinementNumbersFrom(squares[2][i], rows) } << (side * side * i);
+      covered |= std::uint64_t{ FindDelaunayRefinementNumbersFrom(furthests[2][i], furthestRows) } << (side * side * i);
     }
-    word.hopeful &= ~Join(within[0], within[1]);
-    word.uncovered &= ~Join(covered[0], covered[1]);
+    word.hopeful &= ~within;
+    word.uncovered &= ~covered;
   }
 }
 

@@ -64,9 +64,15 @@ public:
   PlaceType
   FindPlace(const PointType & point) const;
 
-  /** Clears the cells that a vertex covers in the words \c begin to \c end (not included). */
+  using NumbersType = DelaunayRefinementArray<std::uint32_t>;
+
+  /** Appends those of the words \c begin to \c end (not included) of which a vertex may cover some cells. */
   void
-  CoverFrom(const PlaceType & vertex, std::size_t begin, std::size_t end);
+  FindWithinReach(const PlaceType & vertex, std::size_t begin, std::size_t end, NumbersType & found) const;
+
+  /** Clears the cells that a vertex covers in some words. */
+  void
+  CoverFrom(const PlaceType & vertex, const NumbersType & numbers);
 
   std::size_t
   GetSize() const

@@ -50,6 +50,15 @@ ToAxes(const AxesType & axes, const PointType & point)
   return { Dot(axes[0], point), Dot(axes[1], point), Dot(axes[2], point) };
 }
 
+/** Clears what a vertex covers in the words \c begin to \c end (not included). */
+void
+CoverFrom(const PointType & vertex, std::size_t begin, std::size_t end, DelaunayRefinementSurfaceWords & words)
+{
+  DelaunayRefinementSurfaceWords::NumbersType found;
+  words.FindWithinReach(words.FindPlace(vertex), begin, end, found);
+  words.CoverFrom(words.FindPlace(vertex), found);
+}
+
 /** Cell boxes somewhere around the origin, a few of which hold surface. */
 CellsType
 MakeCells(const AxesType & axes, std::mt19937_64 & random)
@@ -100,7 +109,7 @@ TEST(DelaunayRefinementSurfaceWords, ClearsTheCellsWithinReach)
     for (unsigned int i = 0; i < 4; ++i)
     {
       const PointType vertex = Add(origin, { offset(random), offset(random), offset(random) });
-      words.CoverFrom(words.FindPlace(vertex), 0, 1);
+      CoverFrom(vertex, 0, 1, words);
       for (unsigned int bit = 0; bit < 64; ++bit)
       {
         centers[bit] = std::min(centers[bit], GetDistance(cells, bit, ToAxes(turned, vertex), 1));
@@ -141,7 +150,7 @@ TEST(DelaunayRefinementSurfaceWords, RoundsTowardsLess)
     DelaunayRefinementSurfaceWords words;
     words.Start(origin, turned);
     words.Add(cells, { (1.0 - 1e-9) * reach, (1.0 - 1e-9) * reach });
-    words.CoverFrom(words.FindPlace({ place[2] / 1.5, place[0], place[1] / 1.25 }), 0, 1);
+    CoverFrom({ place[2] / 1.5, place[0], place[1] / 1.25 }, 0, 1, words);
     EXPECT_EQ(words.GetWord(0).uncovered >> 42 & 1u, cells.bits >> 42 & 1u);
   }
 }
@@ -158,7 +167,7 @@ TEST(DelaunayRefinementSurfaceWords, CellsWithAMarginAreReachedLater)
     DelaunayRefinementSurfaceWords words;
     words.Start(origin, turned);
     words.Add(cells, { reach + 0.05, reach + 0.05 });
-    words.CoverFrom(words.FindPlace({ cells.corner[2] / 1.5, cells.corner[0], cells.corner[1] / 1.25 }), 0, 1);
+    CoverFrom({ cells.corner[2] / 1.5, cells.corner[0], cells.corner[1] / 1.25 }, 0, 1, words);
     EXPECT_EQ(words.GetWord(0).uncovered, margin == 0.0 ? 0u : std::uint64_t{ 1 } << 63);
   }
 }
@@ -173,7 +182,7 @@ TEST(DelaunayRefinementSurfaceWords, LeavesOtherWordsAlone)
   {
     words.Add(cells, { 100.0, 100.0 });
   }
-  words.CoverFrom(words.FindPlace(origin), 1, 4);
+  CoverFrom(origin, 1, 4, words);
   for (unsigned int i = 0; i < 5; ++i)
   {
     EXPECT_EQ(words.GetWord(i).uncovered, 1 <= i && i < 4 ? 0u : cells.bits);
