@@ -229,6 +229,17 @@ private:
   std::uint64_t                 m_Any{ 0 };
 };
 
+/** Puts the lower two bits of each nibble next to each other. */
+std::uint32_t
+GatherPairs(std::uint64_t nibbles)
+{
+  nibbles &= 0x3333333333333333u;
+  nibbles = (nibbles | nibbles >> 2) & 0x0F0F0F0F0F0F0F0Fu;
+  nibbles = (nibbles | nibbles >> 4) & 0x00FF00FF00FF00FFu;
+  nibbles = (nibbles | nibbles >> 8) & 0x0000FFFF0000FFFFu;
+  return static_cast<std::uint32_t>(nibbles | nibbles >> 16);
+}
+
 /** Whether no voxel of a row of bricks belongs to the object. */
 bool
 AreRowsEmpty(const DelaunayRefinementVoxelMask & mask, std::int32_t brickY, std::int32_t brickZ)
@@ -305,23 +316,24 @@ DelaunayRefinementBricks::Update(const DelaunayRefinementVoxelMask &     mask,
           {
             rows.GoTo(static_cast<std::size_t>(x) / 16);
           }
-          std::int32_t & number = m_Numbers[this->ToOffset(0, { x, y, z })];
-          if (number >= 0)
+          if (this->GetKind({ x, y, z }) == BrickEnum::MIXED)
           {
-            m_Cells[number] = rows.Gather(x % 16);
+            m_Cells[m_Numbers[this->ToOffset(0, { x, y, z })]] = rows.Gather(x % 16);
           }
           else
           {
-            number = GetNumberOfUniform(mask, { x, y, z });
+            this->SetKind({ x, y, z }, GetKindOfUniform(mask, { x, y, z }));
           }
         }
       }
     }
   }
   const auto isEmpty = [this, &mask](const IndexType & brick) {
-    std::int32_t & number = m_Numbers[this->ToOffset(0, brick)];
-    const bool     hasNone = m_Cells[number] == 0;
-    number = hasNone ? GetNumberOfUniform(mask, brick) : number;
+    const bool hasNone = this->GetCells(brick) == 0;
+    if (hasNone)
+    {
+      this->SetKind(brick, GetKindOfUniform(mask, brick));
+    }
     return hasNone;
   };
   m_ActiveBricks.erase(std::remove_if(m_ActiveBricks.begin(), m_ActiveBricks.end(), isEmpty), m_ActiveBricks.end());
@@ -340,6 +352,8 @@ DelaunayRefinementBricks::DelaunayRefinementBricks(const DelaunayRefinementVoxel
   }
   m_Levels.push_back({ size, {} });
   m_Numbers.resize(static_cast<std::size_t>(size[0]) * size[1] * size[2]);
+  m_WordsPerRow = (static_cast<std::size_t>(size[0]) + 15) / 16;
+  m_Kinds.resize(m_WordsPerRow * size[1] * size[2]);
 
   using Threads = DelaunayRefinementThreads;
   constexpr std::size_t leastLength = 64;
@@ -367,37 +381,28 @@ DelaunayRefinementBricks::FindBricks(const DelaunayRefinementVoxelMask &     mas
                                      PartType &                              part)
 {
   const std::int32_t numberOfBricks = m_Levels[0].size[0];
-  std::int32_t *     numbers = m_Numbers.data() + this->ToOffset(0, { 0, brickY, brickZ });
+  std::uint32_t *    kinds = m_Kinds.data() + this->ToWord({ 0, brickY, brickZ });
   if (AreRowsEmpty(mask, brickY, brickZ))
   {
-    std::fill(numbers, numbers + numberOfBricks, NumberOutside);
+    std::fill_n(kinds, m_WordsPerRow, 0u);
     return;
   }
-  MixedRows rows(mask, changes, brickY, brickZ);
-  for (std::int32_t first = 0; first < numberOfBricks; first += 16, rows.Advance())
+  std::uint32_t * const numbers = m_Numbers.data() + this->ToOffset(0, { 0, brickY, brickZ });
+  MixedRows             rows(mask, changes, brickY, brickZ);
+  for (std::int32_t first = 0; first < numberOfBricks; first += 16, rows.Advance(), ++kinds)
   {
     // Bricks are nibbles of the words.
-    const std::uint64_t any = rows.GetAny();
-    const std::uint64_t inside = mask.GetRow(BrickSize * brickY, BrickSize * brickZ)[first / 16];
-    const std::int32_t  end = std::min(16, numberOfBricks - first);
-    if (any == 0 && inside + 1 < 2)
+    constexpr std::uint64_t lowest = 0x1111111111111111u;
+    const std::uint64_t     any = rows.GetAny();
+    const std::uint64_t     inside = mask.GetRow(BrickSize * brickY, BrickSize * brickZ)[first / 16];
+    const std::uint64_t     mixed = (any | any >> 1 | any >> 2 | any >> 3) & lowest;
+    *kinds = GatherPairs((inside & lowest & ~mixed) | mixed << 1);
+    for (std::uint64_t left = mixed; left != 0; left &= left - 1)
     {
-      std::fill(numbers + first, numbers + first + end, inside == 0 ? NumberOutside : NumberInside);
-      continue;
-    }
-    for (std::int32_t nibble = 0; nibble < end; ++nibble)
-    {
-      std::int32_t & number = numbers[first + nibble];
-      if (any >> (4 * nibble) & 15u)
-      {
-        number = static_cast<std::int32_t>(part.cells.size());
-        part.cells.push_back(rows.Gather(nibble));
-        part.active.push_back({ first + nibble, brickY, brickZ });
-      }
-      else
-      {
-        number = inside >> (4 * nibble) & 1u ? NumberInside : NumberOutside;
-      }
+      const auto nibble = static_cast<std::int32_t>(FindDelaunayRefinementBit(left)) / 4;
+      numbers[first + nibble] = static_cast<std::uint32_t>(part.cells.size());
+      part.cells.push_back(rows.Gather(nibble));
+      part.active.push_back({ first + nibble, brickY, brickZ });
     }
   }
 }
@@ -424,7 +429,7 @@ DelaunayRefinementBricks::JoinParts(std::vector<PartType> & parts, DelaunayRefin
     std::copy(parts[i].active.begin(), parts[i].active.end(), m_ActiveBricks.begin() + first);
     for (const IndexType & brick : parts[i].active)
     {
-      m_Numbers[this->ToOffset(0, brick)] += static_cast<std::int32_t>(first);
+      m_Numbers[this->ToOffset(0, brick)] += static_cast<std::uint32_t>(first);
     }
   });
 }

@@ -77,8 +77,7 @@ public:
   BrickEnum
   GetKind(const IndexType & brick) const
   {
-    const std::int32_t number = m_Numbers[this->ToOffset(0, brick)];
-    return number >= 0 ? BrickEnum::MIXED : number == NumberInside ? BrickEnum::INSIDE : BrickEnum::OUTSIDE;
+    return static_cast<BrickEnum>(m_Kinds[this->ToWord(brick)] >> GetShift(brick) & 3u);
   }
 
   std::size_t
@@ -88,8 +87,7 @@ public:
   std::uint64_t
   GetCells(const IndexType & brick) const
   {
-    const std::int32_t number = m_Numbers[this->ToOffset(0, brick)];
-    return number < 0 ? 0 : m_Cells[number];
+    return this->GetKind(brick) == BrickEnum::MIXED ? m_Cells[m_Numbers[this->ToOffset(0, brick)]] : 0;
   }
 
   bool
@@ -137,7 +135,7 @@ public:
   bool
   IsActiveNode(unsigned int level, const IndexType & node) const
   {
-    return level == 0 ? m_Numbers[this->ToOffset(0, node)] >= 0 : m_Levels[level].isActive[this->ToOffset(level, node)];
+    return level == 0 ? this->GetKind(node) == BrickEnum::MIXED : m_Levels[level].isActive[this->ToOffset(level, node)];
   }
 
   /** The least and the greatest index of cells with surface. */
@@ -178,16 +176,35 @@ private:
   void
   UpdateBounds();
 
-  /** In place of the number of a brick without surface. */
-  static constexpr std::int32_t NumberOutside = -1;
-  static constexpr std::int32_t NumberInside = -2;
-
-  /** Of a brick whose voxels are all alike. */
-  static std::int32_t
-  GetNumberOfUniform(const DelaunayRefinementVoxelMask & mask, const IndexType & brick)
+  /** That of a brick whose voxels are all alike. */
+  static BrickEnum
+  GetKindOfUniform(const DelaunayRefinementVoxelMask & mask, const IndexType & brick)
   {
     const std::uint64_t * row = mask.GetRow(BrickSize * brick[1], BrickSize * brick[2]);
-    return row[brick[0] >> 4] >> (BrickSize * (brick[0] & 15)) & 1u ? NumberInside : NumberOutside;
+    return row[brick[0] >> 4] >> (BrickSize * (brick[0] & 15)) & 1u ? BrickEnum::INSIDE : BrickEnum::OUTSIDE;
+  }
+
+  // Kinds are pairs of bits, sixteen in a word: what is asked most often fits a small cache.
+
+  std::size_t
+  ToWord(const IndexType & brick) const
+  {
+    const IndexType & size = m_Levels[0].size;
+    return (static_cast<std::size_t>(brick[2]) * size[1] + brick[1]) * m_WordsPerRow +
+           static_cast<std::size_t>(brick[0] >> 4);
+  }
+
+  static unsigned int
+  GetShift(const IndexType & brick)
+  {
+    return 2 * (static_cast<unsigned int>(brick[0]) & 15u);
+  }
+
+  void
+  SetKind(const IndexType & brick, BrickEnum kind)
+  {
+    std::uint32_t & word = m_Kinds[this->ToWord(brick)];
+    word = (word & ~(3u << GetShift(brick))) | static_cast<std::uint32_t>(kind) << GetShift(brick);
   }
 
   struct LevelType
@@ -206,12 +223,14 @@ private:
   bool
   IsAnyActiveBelow(unsigned int level, const IndexType & node, const IndexType & first, const IndexType & last) const;
 
-  std::vector<LevelType>                m_Levels{};
-  DelaunayRefinementArray<std::int32_t> m_Numbers{};
-  std::vector<std::uint64_t>            m_Cells{};
-  std::vector<IndexType>                m_ActiveBricks{};
-  IndexType                             m_FirstCell{};
-  IndexType                             m_LastCell{ -1, -1, -1 };
+  std::vector<LevelType>                 m_Levels{};
+  std::size_t                            m_WordsPerRow{ 0 };
+  DelaunayRefinementArray<std::uint32_t> m_Kinds{};
+  DelaunayRefinementArray<std::uint32_t> m_Numbers{}; // of bricks with surface among m_Cells
+  std::vector<std::uint64_t>             m_Cells{};
+  std::vector<IndexType>                 m_ActiveBricks{};
+  IndexType                              m_FirstCell{};
+  IndexType                              m_LastCell{ -1, -1, -1 };
 };
 } // end namespace itk
 
