@@ -53,9 +53,7 @@ CountFiringDelaunayRefinementRules(const DelaunayRefinementOracle &        oracl
     for (unsigned int i = 0; i < 4; ++i)
     {
       DelaunayRefinementPoint center;
-      count(RefinementRule::R3,
-            cell < triangulation.GetCell(cell).neighbors[i] && rules.MayFireR3(cell, i) &&
-              rules.FiresR3(cell, i, center));
+      count(RefinementRule::R3, cell < triangulation.GetCell(cell).neighbors[i] && rules.FiresR3(cell, i, center));
     }
   }
   return counts;

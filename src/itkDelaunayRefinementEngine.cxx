@@ -512,7 +512,7 @@ DelaunayRefinementEngine::Impl::ApplyR3()
     return false;
   }
   PointType center;
-  if (m_Rules->MayFireR3(entry.cell, entry.facet) && m_Rules->FiresR3(entry.cell, entry.facet, center))
+  if (m_Rules->FiresR3(entry.cell, entry.facet, center))
   {
     this->InsertFeature(RefinementRule::R3, center, entry.cell);
   }

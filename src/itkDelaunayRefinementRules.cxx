@@ -82,7 +82,7 @@ DelaunayRefinementRules::Examine(IndexType cell, unsigned int facets, std::vecto
   for (unsigned int i = 0; i < 4; ++i)
   {
     PointType center;
-    if ((facets >> i & 1u) && this->MayFireR3(cell, i) && this->FiresR3(cell, i, center))
+    if ((facets >> i & 1u) && this->IsBetweenRegions(cell, i) && this->FiresR3(cell, i, center))
     {
       find(RuleGroupEnum::R3, i);
     }
@@ -100,7 +100,7 @@ DelaunayRefinementRules::Fires(IndexType cell) const
   for (unsigned int i = 0; i < 4 && !fires; ++i)
   {
     PointType center;
-    fires = this->MayFireR3(cell, i) && this->FiresR3(cell, i, center);
+    fires = this->FiresR3(cell, i, center);
   }
   return fires;
 }
@@ -174,31 +174,26 @@ DelaunayRefinementRules::ComputeSquaredR3Threshold(IndexType cell, unsigned int 
 }
 
 bool
-DelaunayRefinementRules::MayFireR3(IndexType cell, unsigned int i) const
+DelaunayRefinementRules::FiresR3(IndexType cell, unsigned int i, PointType & center) const
 {
   const auto &    triangulation = m_Complex.GetTriangulation();
   const IndexType neighbor = triangulation.GetCell(cell).neighbors[i];
-  if (m_Complex.GetRegion(cell) == m_Complex.GetRegion(neighbor) || triangulation.IsInfinite(cell))
+  if (!this->IsBetweenRegions(cell, i) || triangulation.IsInfinite(cell))
   {
     return false;
   }
   // The neighbor last: it may be anywhere in memory.
   const double squaredThreshold = this->ComputeSquaredR3Threshold(cell, i);
-  return std::isfinite(squaredThreshold) && !triangulation.IsInfinite(neighbor) &&
-         std::max(m_Complex.GetSquaredRadius(cell), m_Complex.GetSquaredRadius(neighbor)) >= squaredThreshold;
-}
+  if (!std::isfinite(squaredThreshold) || triangulation.IsInfinite(neighbor) ||
+      std::max(m_Complex.GetSquaredRadius(cell), m_Complex.GetSquaredRadius(neighbor)) < squaredThreshold)
+  {
+    return false;
+  }
 
-bool
-DelaunayRefinementRules::FiresR3(IndexType cell, unsigned int i, PointType & center) const
-{
-  const auto &    triangulation = m_Complex.GetTriangulation();
-  const IndexType neighbor = triangulation.GetCell(cell).neighbors[i];
+  // Along the dual edge the squared distance to the facet's vertices is a parabola: s^2 |d|^2 + 2 s (d . w) + |w|^2.
   const PointType from = m_Complex.GetCircumcenter(cell);
   const PointType to = m_Complex.GetCircumcenter(neighbor);
   const PointType vertex = m_Complex.GetPoint(triangulation.GetCell(cell).vertices[(i + 1) & 3]);
-  const double    squaredThreshold = this->ComputeSquaredR3Threshold(cell, i);
-
-  // Along the dual edge the squared distance to the facet's vertices is a parabola: s^2 |d|^2 + 2 s (d . w) + |w|^2.
   const PointType direction = Geometry::Subtract(to, from);
   const PointType w = Geometry::Subtract(from, vertex);
   const double    squaredLength = Geometry::Dot(direction, direction);

@@ -66,11 +66,8 @@ public:
   bool
   FiresR2(IndexType cell) const;
 
-  /** Cheap: false only if R3 does not fire for the facet opposite to vertex \c i. */
-  bool
-  MayFireR3(IndexType cell, unsigned int i) const;
-
-  /** R3 (section III): a restricted facet with a surface ball of radius >= delta; proposes q.
+  /** R3 (section III): a restricted facet, the one opposite to vertex \c i, with a surface ball of radius >= delta;
+   * proposes q.
    *
    * A surface ball is empty of vertices and its center is on the surface, so that R1, which leaves no surface point
    * farther than delta from a feature vertex, excludes such balls for all restricted facets. What is left to R3 are the
@@ -114,6 +111,13 @@ public:
   Fires(IndexType cell) const;
 
 private:
+  /** Whether the regions on either side of a facet differ. */
+  bool
+  IsBetweenRegions(IndexType cell, unsigned int i) const
+  {
+    return m_Complex.GetRegion(cell) != m_Complex.GetRegion(m_Complex.GetTriangulation().GetCell(cell).neighbors[i]);
+  }
+
   bool
   HasFeatureVertex(IndexType cell) const;
 
