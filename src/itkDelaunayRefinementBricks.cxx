@@ -17,8 +17,6 @@
  *=========================================================================*/
 #include "itkDelaunayRefinementBricks.h"
 
-#include "itkDelaunayRefinementBits.h"
-
 #include <algorithm>
 #include <limits>
 
@@ -318,21 +316,24 @@ DelaunayRefinementBricks::Update(const DelaunayRefinementVoxelMask &     mask,
           }
           if (this->GetKind({ x, y, z }) == BrickEnum::MIXED)
           {
-            m_Cells[m_Numbers[this->ToOffset(0, { x, y, z })]] = rows.Gather(x % 16);
+            m_Cells[this->GetNumber({ x, y, z })] = rows.Gather(x % 16);
           }
-          else
+          else if (mask.GetConfiguration(4 * x, 4 * y, 4 * z) == 0)
           {
-            this->SetKind({ x, y, z }, GetKindOfUniform(mask, { x, y, z }));
+            // All of it is outside now; bricks that had no surface have no number.
+            std::uint32_t &    kinds = m_Kinds[this->ToWord({ x, y, z })];
+            const unsigned int shift = GetShift({ x, y, z });
+            kinds &= ~((kinds >> shift & 3u) == Emptied ? 0u : 3u << shift);
           }
         }
       }
     }
   }
-  const auto isEmpty = [this, &mask](const IndexType & brick) {
+  const auto isEmpty = [this](const IndexType & brick) {
     const bool hasNone = this->GetCells(brick) == 0;
     if (hasNone)
     {
-      this->SetKind(brick, GetKindOfUniform(mask, brick));
+      m_Kinds[this->ToWord(brick)] |= Emptied << GetShift(brick);
     }
     return hasNone;
   };
@@ -351,9 +352,9 @@ DelaunayRefinementBricks::DelaunayRefinementBricks(const DelaunayRefinementVoxel
     size[i] = (voxels[i] + 1 + BrickSize - 1) / BrickSize;
   }
   m_Levels.push_back({ size, {} });
-  m_Numbers.resize(static_cast<std::size_t>(size[0]) * size[1] * size[2]);
   m_WordsPerRow = (static_cast<std::size_t>(size[0]) + 15) / 16;
   m_Kinds.resize(m_WordsPerRow * size[1] * size[2]);
+  m_FirstNumbers.resize(m_Kinds.size());
 
   using Threads = DelaunayRefinementThreads;
   constexpr std::size_t leastLength = 64;
@@ -361,6 +362,8 @@ DelaunayRefinementBricks::DelaunayRefinementBricks(const DelaunayRefinementVoxel
   const std::size_t     length = Threads::ChoosePieceLength(threads, rows, leastLength);
   std::vector<PartType> parts(Threads::CountPieces(rows, length));
   Threads::RunPieces(threads, rows, length, [&](std::size_t piece, std::size_t begin, std::size_t end) {
+    parts[piece].firstWord = begin * m_WordsPerRow;
+    parts[piece].endOfWords = end * m_WordsPerRow;
     for (std::size_t row = begin; row < end; ++row)
     {
       const auto y = static_cast<std::int32_t>(row % size[1]);
@@ -381,26 +384,27 @@ DelaunayRefinementBricks::FindBricks(const DelaunayRefinementVoxelMask &     mas
                                      PartType &                              part)
 {
   const std::int32_t numberOfBricks = m_Levels[0].size[0];
-  std::uint32_t *    kinds = m_Kinds.data() + this->ToWord({ 0, brickY, brickZ });
+  const std::size_t  firstWord = this->ToWord({ 0, brickY, brickZ });
   if (AreRowsEmpty(mask, brickY, brickZ))
   {
-    std::fill_n(kinds, m_WordsPerRow, 0u);
+    std::fill_n(m_Kinds.data() + firstWord, m_WordsPerRow, 0u);
+    std::fill_n(m_FirstNumbers.data() + firstWord, m_WordsPerRow, 0u);
     return;
   }
-  std::uint32_t * const numbers = m_Numbers.data() + this->ToOffset(0, { 0, brickY, brickZ });
-  MixedRows             rows(mask, changes, brickY, brickZ);
-  for (std::int32_t first = 0; first < numberOfBricks; first += 16, rows.Advance(), ++kinds)
+  MixedRows rows(mask, changes, brickY, brickZ);
+  for (std::int32_t first = 0; first < numberOfBricks; first += 16, rows.Advance())
   {
     // Bricks are nibbles of the words.
     constexpr std::uint64_t lowest = 0x1111111111111111u;
     const std::uint64_t     any = rows.GetAny();
     const std::uint64_t     inside = mask.GetRow(BrickSize * brickY, BrickSize * brickZ)[first / 16];
     const std::uint64_t     mixed = (any | any >> 1 | any >> 2 | any >> 3) & lowest;
-    *kinds = GatherPairs((inside & lowest & ~mixed) | mixed << 1);
+    const std::size_t       word = firstWord + static_cast<std::size_t>(first) / 16;
+    m_FirstNumbers[word] = static_cast<std::uint32_t>(part.cells.size());
+    m_Kinds[word] = GatherPairs((inside & lowest & ~mixed) | mixed << 1);
     for (std::uint64_t left = mixed; left != 0; left &= left - 1)
     {
       const auto nibble = static_cast<std::int32_t>(FindDelaunayRefinementBit(left)) / 4;
-      numbers[first + nibble] = static_cast<std::uint32_t>(part.cells.size());
       part.cells.push_back(rows.Gather(nibble));
       part.active.push_back({ first + nibble, brickY, brickZ });
     }
@@ -427,9 +431,9 @@ DelaunayRefinementBricks::JoinParts(std::vector<PartType> & parts, DelaunayRefin
     const auto first = static_cast<std::ptrdiff_t>(firsts[i]);
     std::copy(parts[i].cells.begin(), parts[i].cells.end(), m_Cells.begin() + first);
     std::copy(parts[i].active.begin(), parts[i].active.end(), m_ActiveBricks.begin() + first);
-    for (const IndexType & brick : parts[i].active)
+    for (std::size_t word = parts[i].firstWord; word < parts[i].endOfWords; ++word)
     {
-      m_Numbers[this->ToOffset(0, brick)] += static_cast<std::uint32_t>(first);
+      m_FirstNumbers[word] += static_cast<std::uint32_t>(first);
     }
   });
 }

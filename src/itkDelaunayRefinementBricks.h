@@ -18,6 +18,7 @@
 #ifndef itkDelaunayRefinementBricks_h
 #define itkDelaunayRefinementBricks_h
 
+#include "itkDelaunayRefinementBits.h"
 #include "itkDelaunayRefinementRegionChanges.h"
 #include "itkDelaunayRefinementThreads.h"
 #include "itkDelaunayRefinementVoxelMask.h"
@@ -77,7 +78,8 @@ public:
   BrickEnum
   GetKind(const IndexType & brick) const
   {
-    return static_cast<BrickEnum>(m_Kinds[this->ToWord(brick)] >> GetShift(brick) & 3u);
+    const std::uint32_t kind = m_Kinds[this->ToWord(brick)] >> GetShift(brick) & 3u;
+    return kind == Emptied ? BrickEnum::OUTSIDE : static_cast<BrickEnum>(kind);
   }
 
   std::size_t
@@ -87,7 +89,7 @@ public:
   std::uint64_t
   GetCells(const IndexType & brick) const
   {
-    return this->GetKind(brick) == BrickEnum::MIXED ? m_Cells[m_Numbers[this->ToOffset(0, brick)]] : 0;
+    return this->GetKind(brick) == BrickEnum::MIXED ? m_Cells[this->GetNumber(brick)] : 0;
   }
 
   bool
@@ -154,6 +156,8 @@ private:
   /** What a part of the bricks has with surface, numbered from 0. */
   struct PartType
   {
+    std::size_t                firstWord;
+    std::size_t                endOfWords;
     std::vector<std::uint64_t> cells{};
     std::vector<IndexType>     active{};
   };
@@ -176,15 +180,10 @@ private:
   void
   UpdateBounds();
 
-  /** That of a brick whose voxels are all alike. */
-  static BrickEnum
-  GetKindOfUniform(const DelaunayRefinementVoxelMask & mask, const IndexType & brick)
-  {
-    const std::uint64_t * row = mask.GetRow(BrickSize * brick[1], BrickSize * brick[2]);
-    return row[brick[0] >> 4] >> (BrickSize * (brick[0] & 15)) & 1u ? BrickEnum::INSIDE : BrickEnum::OUTSIDE;
-  }
-
   // Kinds are pairs of bits, sixteen in a word: what is asked most often fits a small cache.
+
+  /** In place of the kind of a brick that held surface once, and whose voxels are all outside now. */
+  static constexpr std::uint32_t Emptied = 3;
 
   std::size_t
   ToWord(const IndexType & brick) const
@@ -200,12 +199,17 @@ private:
     return 2 * (static_cast<unsigned int>(brick[0]) & 15u);
   }
 
-  void
-  SetKind(const IndexType & brick, BrickEnum kind)
+  /** Of a brick that holds surface, or did, among m_Cells. */
+  std::size_t
+  GetNumber(const IndexType & brick) const
   {
-    std::uint32_t & word = m_Kinds[this->ToWord(brick)];
-    word = (word & ~(3u << GetShift(brick))) | static_cast<std::uint32_t>(kind) << GetShift(brick);
+    const std::size_t   word = this->ToWord(brick);
+    const std::uint32_t before = (1u << GetShift(brick)) - 1;
+    return m_FirstNumbers[word] + CountDelaunayRefinementBits(m_Kinds[word] & before & EitherOfPairs);
   }
+
+  /** The bits of pairs that are set for bricks with surface, or that had some. */
+  static constexpr std::uint32_t EitherOfPairs = 0xAAAAAAAAu;
 
   struct LevelType
   {
@@ -226,7 +230,7 @@ private:
   std::vector<LevelType>                 m_Levels{};
   std::size_t                            m_WordsPerRow{ 0 };
   DelaunayRefinementArray<std::uint32_t> m_Kinds{};
-  DelaunayRefinementArray<std::uint32_t> m_Numbers{}; // of bricks with surface among m_Cells
+  DelaunayRefinementArray<std::uint32_t> m_FirstNumbers{}; // of the bricks of each word
   std::vector<std::uint64_t>             m_Cells{};
   std::vector<IndexType>                 m_ActiveBricks{};
   IndexType                              m_FirstCell{};
