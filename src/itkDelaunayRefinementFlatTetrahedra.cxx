@@ -54,9 +54,14 @@ bool
 IsFlatDelaunayRefinementTetrahedron(const DelaunayRefinementComplex & complex, IndexType cell)
 {
   const auto   p = complex.GetPoints(cell);
-  const double squaredLongest = Geometry::ComputeSquaredLongestEdge(p[0], p[1], p[2], p[3]);
-  return Geometry::Determinant(p[0], p[1], p[2], p[3]) <
-         6.0 * FlattestShape * squaredLongest * std::sqrt(squaredLongest);
+  const double determinant = Geometry::Determinant(p[0], p[1], p[2], p[3]);
+  const auto   isLessFor = [determinant](double squaredLength) {
+    return determinant < 6.0 * FlattestShape * squaredLength * std::sqrt(squaredLength);
+  };
+  // No edge is longer than the diameter, which decides most.
+  constexpr double roundedUp = 4.0 * (1.0 + 1e-6);
+  return isLessFor(roundedUp * complex.GetSquaredRadius(cell)) &&
+         isLessFor(Geometry::ComputeSquaredLongestEdge(p[0], p[1], p[2], p[3]));
 }
 
 std::vector<IndexType>
