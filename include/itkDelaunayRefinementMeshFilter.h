@@ -464,6 +464,14 @@ private:
   void
   FindMissingLabels(const DelaunayRefinementResult & result);
 
+  /** The first of so many as \c describe writes them, with dots if there are more. */
+  template <typename TDescribe>
+  static std::string
+  DescribeSome(std::size_t number, const TDescribe & describe);
+
+  static std::string
+  DescribePlace(const DelaunayRefinementPoint & place);
+
   std::string
   DescribeComponent(const DelaunayRefinementComponent & component) const;
 

@@ -656,5 +656,6 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::PrintSelf(std::ostream &
 } // end namespace itk
 
 #include "itkDelaunayRefinementMeshFilterChecks.hxx"
+#include "itkDelaunayRefinementMeshFilterWarnings.hxx"
 
 #endif

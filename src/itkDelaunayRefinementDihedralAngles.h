@@ -35,7 +35,7 @@ public:
   /** The bound, in degrees; 0 if there is none. A little is added to it, so that another formula for the same angle
    * agrees. */
   explicit DelaunayRefinementDihedralAngles(double bound)
-    : m_Bound((bound + Margin) * RadiansPerDegree)
+    : m_Bound((bound + Margin) * DelaunayRefinementGeometry::RadiansPerDegree)
     , m_SquaredCosine(bound > 0.0 ? std::cos(m_Bound) * std::cos(m_Bound) : std::numeric_limits<double>::infinity())
   {}
 
@@ -71,7 +71,6 @@ public:
   }
 
 private:
-  static constexpr double RadiansPerDegree = 0.017453292519943295;
   static constexpr double Margin = 0.01;
   static constexpr double LeastBadness = 0.1;
 

@@ -78,8 +78,6 @@ constexpr unsigned int MaximumNumberOfManifoldRounds = 20;
 /** So often slivers are removed anew, but not if more than so many are left: the bound is out of reach then. */
 constexpr unsigned int MaximumNumberOfSliverRounds = 20;
 constexpr std::size_t  MostSliversForAnotherRound = 1000;
-
-constexpr double DegreesPerRadian = 57.29577951308232;
 } // namespace
 
 /** \class DelaunayRefinementEngine::Impl
@@ -897,7 +895,7 @@ DelaunayRefinementEngine::Impl::DescribeSlivers()
       center = Geometry::AddScaled(center, 0.25, point);
     }
     const double cosine = Geometry::ComputeLargestDihedralCosine(p[0], p[1], p[2], p[3]);
-    const double angle = std::acos(std::min(1.0, cosine)) * DegreesPerRadian;
+    const double angle = std::acos(std::min(1.0, cosine)) / Geometry::RadiansPerDegree;
     if (angle < m_Parameters.minimumDihedralAngle)
     {
       m_Statistics.slivers.push_back({ angle, center });

@@ -35,6 +35,8 @@ class DelaunayRefinementGeometry
 public:
   using PointType = DelaunayRefinementPoint;
 
+  static constexpr double RadiansPerDegree = 0.017453292519943295;
+
   static PointType
   Subtract(const PointType & a, const PointType & b)
   {

@@ -34,8 +34,6 @@ constexpr double ShortestShare = 0.25;
 /** No surface ball has a radius above this share of the largest delta, once R1 is done, with room for vertices that
  * were moved by a little. */
 constexpr double LargestBallShare = 1.01;
-
-constexpr double DegreesToRadians = 0.017453292519943295;
 } // namespace
 
 DelaunayRefinementRules::DelaunayRefinementRules(const DelaunayRefinementOracle &        oracle,
@@ -48,7 +46,7 @@ DelaunayRefinementRules::DelaunayRefinementRules(const DelaunayRefinementOracle 
   , m_Complex(complex)
   , m_LocalDelta(localDelta)
   , m_Sample(sample)
-  , m_LargestDihedralCosine(std::cos(parameters.minimumDihedralAngle * DegreesToRadians))
+  , m_LargestDihedralCosine(std::cos(parameters.minimumDihedralAngle * Geometry::RadiansPerDegree))
 {
   if (oracle.KnowsAllSurface())
   {
