@@ -188,9 +188,10 @@ public:
   RemoveComponents(const std::vector<bool> & isRemoved);
 
   /** Describes the components. Inscribed radii are found by climbing away from the surface, which stops once \c enough
-   * is reached: they may be too small, never too large. */
+   * is reached: they may be too small, never too large; by a tenth for small components of masks unless \c isAccurate.
+   */
   std::vector<DelaunayRefinementComponent>
-  ComputeComponents(double enough) const;
+  ComputeComponents(double enough, bool isAccurate = false) const;
 
   /** Finds the cavities of the object, as it was before it was smoothed, and describes them. There are none before. */
   std::vector<DelaunayRefinementCavity>
@@ -224,7 +225,7 @@ public:
   double
   EstimateNumberOfTetrahedra(const DelaunayRefinementParameters & parameters) const;
 
-  /** No less than that, and cheap: some three times as much. */
+  /** No less than that, and cheap: some three times as much if voxels are about as long as wide. */
   double
   BoundNumberOfTetrahedra(const DelaunayRefinementParameters & parameters) const;
 

@@ -415,11 +415,11 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::MakeParameters(const Del
     return oracle.IsNegligible(m_Components[component], this->GetDeltaOf(m_Components[component]));
   };
   // If all are, they are all there is.
-  const bool isAnyDispensable = !std::all_of(kept.begin(), kept.end(), isNegligible);
+  const bool mayLeaveOut = !std::all_of(kept.begin(), kept.end(), isNegligible);
   for (const std::uint32_t component : kept)
   {
     const double delta = this->GetDeltaOf(m_Components[component]);
-    const bool   isDispensable = isAnyDispensable && isNegligible(component);
+    const bool   isDispensable = mayLeaveOut && isNegligible(component);
     parameters.isDispensable.push_back(isDispensable);
     parameters.componentDelta.push_back(isDispensable && m_RegionLabels.size() > 1
                                           ? delta

@@ -18,7 +18,8 @@
 #ifndef itkDelaunayRefinementMeshFilterChecks_hxx
 #define itkDelaunayRefinementMeshFilterChecks_hxx
 
-// What the filter may object to, before the run and at its end. Included at the end of the filter's own file.
+// What the filter may object to, before the run and when it ended too soon. Included at the end of the filter's own
+// file.
 
 #include "itkDelaunayRefinementMeshFilter.h"
 
@@ -383,7 +384,7 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::VerifyMemory(
       ofComponents += oracle.EstimateNumberOfTetrahedra(m_Components[kept[i]], parameters.componentDelta[i]);
     }
   }
-  // So much is there without a question.
+  // So much is there, or nearly: to ask takes longer than a small mesh.
   constexpr double fewMegabytes = 256.0;
   if (megabytesPerTetrahedron * (oracle.BoundNumberOfTetrahedra(parameters) * growth + ofComponents) < fewMegabytes)
   {

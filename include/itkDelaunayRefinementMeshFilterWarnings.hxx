@@ -18,12 +18,14 @@
 #ifndef itkDelaunayRefinementMeshFilterWarnings_hxx
 #define itkDelaunayRefinementMeshFilterWarnings_hxx
 
-// What the filter tells of a mesh that lacks something. Included at the end of the filter's own file.
+// What the filter tells of a mesh that lacks something, and whether that is an error. Included at the end of the
+// filter's own file.
 
 #include "itkDelaunayRefinementMeshFilter.h"
 
 #include <algorithm>
 #include <sstream>
+#include <string>
 
 namespace itk
 {
@@ -97,7 +99,7 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::WarnOfLabels()
   }
   const auto describe = [this](std::ostream & text, std::size_t i) {
     const InputPixelType label = m_MissingLabels[i];
-    const auto           place = std::find(m_RegionLabels.begin(), m_RegionLabels.end(), label);
+    const auto           place = std::lower_bound(m_RegionLabels.begin(), m_RegionLabels.end(), label);
     const auto           region = static_cast<std::uint32_t>(1 + (place - m_RegionLabels.begin()));
     // Its first component tells the place.
     double                              volume = 0.0;

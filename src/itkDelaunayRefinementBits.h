@@ -30,8 +30,8 @@ inline std::uint32_t
 FindDelaunayRefinementNumbersFrom(float least, const float (&numbers)[16])
 {
 #ifdef __SSE2__
-  const __m128  four = _mm_set1_ps(least);
-  const auto    compare = [&](int i) { return _mm_castps_si128(_mm_cmple_ps(four, _mm_loadu_ps(numbers + i))); };
+  const __m128  leasts = _mm_set1_ps(least);
+  const auto    compare = [&](int i) { return _mm_castps_si128(_mm_cmple_ps(leasts, _mm_loadu_ps(numbers + i))); };
   const __m128i low = _mm_packs_epi32(compare(0), compare(4));
   const __m128i high = _mm_packs_epi32(compare(8), compare(12));
   return static_cast<std::uint32_t>(_mm_movemask_epi8(_mm_packs_epi16(low, high)));

@@ -54,7 +54,8 @@ public:
                            const DelaunayRefinementRegionChanges * changes,
                            DelaunayRefinementThreads *             threads);
 
-  /** After voxels within some boxes were made outside. Nodes above level 0 may stay active without need. */
+  /** After whole components within some boxes were made outside: bricks without surface are outside then. Nodes above
+   * level 0 may stay active without need. */
   void
   Update(const DelaunayRefinementVoxelMask &     mask,
          const DelaunayRefinementRegionChanges * changes,
@@ -70,9 +71,9 @@ public:
   // Whether a brick holds surface, or which side of it it is on.
   enum class BrickEnum : uint8_t
   {
-    OUTSIDE,
-    INSIDE,
-    MIXED
+    OUTSIDE = 0,
+    INSIDE = 1,
+    MIXED = 2
   };
 
   BrickEnum
@@ -82,6 +83,7 @@ public:
     return kind == Emptied ? BrickEnum::OUTSIDE : static_cast<BrickEnum>(kind);
   }
 
+  /** Of all bricks. */
   std::size_t
   CountActiveCells() const;
 
@@ -156,8 +158,8 @@ private:
   /** What a part of the bricks has with surface, numbered from 0. */
   struct PartType
   {
-    std::size_t                firstWord;
-    std::size_t                endOfWords;
+    std::size_t                firstWord{ 0 };
+    std::size_t                endOfWords{ 0 };
     std::vector<std::uint64_t> cells{};
     std::vector<IndexType>     active{};
   };

@@ -59,7 +59,7 @@ IsFlatDelaunayRefinementTetrahedron(const DelaunayRefinementComplex & complex, I
     return determinant < 6.0 * FlattestShape * squaredLength * std::sqrt(squaredLength);
   };
   // No edge is longer than the diameter, which decides most.
-  constexpr double roundedUp = 4.0 * (1.0 + 1e-6);
+  constexpr double roundedUp = 4.0 * (1.0 + 1e-3);
   return isLessFor(roundedUp * complex.GetSquaredRadius(cell)) &&
          isLessFor(Geometry::ComputeSquaredLongestEdge(p[0], p[1], p[2], p[3]));
 }

@@ -59,12 +59,13 @@ constexpr double DeltaPerRadiusOfThin = 2.0;
 /** A component of fewer voxels may be left out. */
 constexpr std::size_t FewVoxels = 8;
 
-/** A component of fewer voxels needs no accurate delta. */
-constexpr std::size_t SmallVoxels = 64;
-
-/** Inscribed radii are as accurate as that. */
+/** Inscribed radii are too small by this share at most. */
 constexpr double Slack = 0.02;
-constexpr double SlackOfSmall = 0.1;
+
+/** The same for a mask's components of fewer voxels, whose cells take long to search, if nobody needs to know better.
+ */
+constexpr double      SlackOfSmall = 0.1;
+constexpr std::size_t SmallVoxels = 64;
 
 /** The radius of a ball in a single voxel's half level, in voxels. */
 constexpr double RadiusOfVoxel = 0.35;
@@ -77,7 +78,7 @@ constexpr double LargestDeltaPerRadius = 4.0;
 } // namespace
 
 std::vector<DelaunayRefinementComponent>
-DelaunayRefinementLatticeOracle::ComputeComponents(double enough) const
+DelaunayRefinementLatticeOracle::ComputeComponents(double enough, bool isAccurate) const
 {
   // A tiny delta is no reason to call components thin.
   enough = std::max(enough, this->GetLeastSpacing());
@@ -92,14 +93,14 @@ DelaunayRefinementLatticeOracle::ComputeComponents(double enough) const
     for (std::size_t i = begin; i < end; ++i)
     {
       const IndexType & first = infos[i].firstVoxel;
+      const bool        isSmall = isMask && !isAccurate && infos[i].numberOfVoxels < SmallVoxels;
       components[i].numberOfVoxels = infos[i].numberOfVoxels;
       components[i].volume = voxelVolume * static_cast<double>(infos[i].numberOfVoxels);
       components[i].firstVoxel = this->ToPhysical(PointType{ first[0] + 1.0, first[1] + 1.0, first[2] + 1.0 });
       components[i].inscribedRadius =
         isMask && infos[i].numberOfVoxels < FewVoxels
           ? RadiusOfVoxel * this->GetLeastSpacing()
-          : this->ClimbToInscribedRadius(
-              centers[i], enough, infos[i].numberOfVoxels < SmallVoxels ? SlackOfSmall : Slack);
+          : this->ClimbToInscribedRadius(centers[i], enough, isSmall ? SlackOfSmall : Slack);
       components[i].region = infos[i].region;
     }
   });

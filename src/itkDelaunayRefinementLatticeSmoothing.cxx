@@ -43,7 +43,8 @@ void
 DelaunayRefinementLatticeOracle::Smooth(double width)
 {
   width = std::min(width, LargestWidthInVoxels * this->GetLeastSpacing());
-  const std::vector<DelaunayRefinementComponent> components = this->ComputeComponents(width / LargestShareOfRadius);
+  const std::vector<DelaunayRefinementComponent> components =
+    this->ComputeComponents(width / LargestShareOfRadius, true);
   const std::array<double, 3> spacing{ std::sqrt(m_Gram[0][0]), std::sqrt(m_Gram[1][1]), std::sqrt(m_Gram[2][2]) };
   const double                leastWidth = LeastWidthInVoxels * this->GetLeastSpacing();
   // Of a few widths, so that few kernels are needed.

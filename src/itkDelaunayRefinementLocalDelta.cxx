@@ -56,16 +56,21 @@ DelaunayRefinementLocalDelta::DelaunayRefinementLocalDelta(const DelaunayRefinem
   }
 }
 
-DelaunayRefinementLocalDelta::BoxIndexType
-DelaunayRefinementLocalDelta::FindBox(const PointType & point, double offset) const
+DelaunayRefinementLocalDelta::BoxesType
+DelaunayRefinementLocalDelta::FindBoxes(const PointType & minimum, const PointType & maximum) const
 {
-  BoxIndexType box;
+  BoxesType boxes;
   for (unsigned int i = 0; i < 3; ++i)
   {
-    const double index = (point[i] + offset - m_Bounds.minimum[i]) * m_BoxesPerLength[i];
-    box[i] = static_cast<std::int32_t>(std::clamp(index, 0.0, BoxesPerAxis - 1.0));
+    const auto find = [&](double coordinate) {
+      return static_cast<std::int32_t>(
+        std::clamp((coordinate - m_Bounds.minimum[i]) * m_BoxesPerLength[i], 0.0, BoxesPerAxis - 1.0));
+    };
+    boxes.first[i] = find(minimum[i]);
+    boxes.last[i] = find(maximum[i]);
   }
-  return box;
+  boxes.rowBits = static_cast<std::uint16_t>((2u << boxes.last[0]) - (1u << boxes.first[0]));
+  return boxes;
 }
 
 bool
@@ -75,18 +80,15 @@ DelaunayRefinementLocalDelta::MayBeLoweredWithin(const PointType & point, double
   {
     return false;
   }
-  const BoxIndexType first = this->FindBox(point, -radius);
-  const BoxIndexType last = this->FindBox(point, radius);
-  for (std::int32_t z = first[2]; z <= last[2]; ++z)
+  const BoxesType boxes = this->FindBoxes({ point[0] - radius, point[1] - radius, point[2] - radius },
+                                          { point[0] + radius, point[1] + radius, point[2] + radius });
+  for (std::int32_t z = boxes.first[2]; z <= boxes.last[2]; ++z)
   {
-    for (std::int32_t y = first[1]; y <= last[1]; ++y)
+    for (std::int32_t y = boxes.first[1]; y <= boxes.last[1]; ++y)
     {
-      for (std::int32_t x = first[0]; x <= last[0]; ++x)
+      if ((m_MayBeLowered[ToRow(y, z)] & boxes.rowBits) != 0)
       {
-        if (m_MayBeLowered[ToOffset(x, y, z)])
-        {
-          return true;
-        }
+        return true;
       }
     }
   }
@@ -136,18 +138,14 @@ DelaunayRefinementLocalDelta::Lower(ComponentType component, double delta)
   m_IsSettled = false;
   m_DeltaOfComponents[component] = delta;
   m_Minimum = std::min(m_Minimum, delta);
-  m_MayBeLowered.resize(ToOffset(BoxesPerAxis - 1, BoxesPerAxis - 1, BoxesPerAxis - 1) + 1);
-  const auto         bounds = m_Oracle.GetComponentBounds(component);
-  const BoxIndexType first = this->FindBox(bounds.minimum, 0.0);
-  const BoxIndexType last = this->FindBox(bounds.maximum, 0.0);
-  for (std::int32_t z = first[2]; z <= last[2]; ++z)
+  m_MayBeLowered.resize(ToRow(BoxesPerAxis - 1, BoxesPerAxis - 1) + 1);
+  const auto      bounds = m_Oracle.GetComponentBounds(component);
+  const BoxesType boxes = this->FindBoxes(bounds.minimum, bounds.maximum);
+  for (std::int32_t z = boxes.first[2]; z <= boxes.last[2]; ++z)
   {
-    for (std::int32_t y = first[1]; y <= last[1]; ++y)
+    for (std::int32_t y = boxes.first[1]; y <= boxes.last[1]; ++y)
     {
-      for (std::int32_t x = first[0]; x <= last[0]; ++x)
-      {
-        m_MayBeLowered[ToOffset(x, y, z)] = true;
-      }
+      m_MayBeLowered[ToRow(y, z)] |= boxes.rowBits;
     }
   }
 }

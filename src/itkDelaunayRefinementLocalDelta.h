@@ -115,20 +115,28 @@ public:
   GetLowered() const;
 
 private:
-  using BoxIndexType = std::array<std::int32_t, 3>;
   static constexpr std::int32_t BoxesPerAxis = 16;
 
-  BoxIndexType
-  FindBox(const PointType & point, double offset) const;
+  /** Boxes of the coarse grid, \c last included; those along x as bits. */
+  struct BoxesType
+  {
+    std::array<std::int32_t, 3> first;
+    std::array<std::int32_t, 3> last;
+    std::uint16_t               rowBits;
+  };
+
+  /** Those that a box meets. */
+  BoxesType
+  FindBoxes(const PointType & minimum, const PointType & maximum) const;
 
   /** False if delta is not lowered anywhere within \c radius of \c point. */
   bool
   MayBeLoweredWithin(const PointType & point, double radius) const;
 
   static std::size_t
-  ToOffset(std::int32_t x, std::int32_t y, std::int32_t z)
+  ToRow(std::int32_t y, std::int32_t z)
   {
-    return (static_cast<std::size_t>(z) * BoxesPerAxis + y) * BoxesPerAxis + x;
+    return static_cast<std::size_t>(z) * BoxesPerAxis + y;
   }
 
   const DelaunayRefinementOracle &     m_Oracle;
@@ -138,9 +146,9 @@ private:
   double                               m_Minimum;
   std::vector<double>                  m_DeltaOfComponents;
 
-  /** For each box of a coarse grid over the surface whether the bounds of a lowered component reach into it; empty if
-   * none is lowered. */
-  std::vector<bool> m_MayBeLowered{};
+  /** For each row of boxes of a coarse grid over the surface a bit for each box that the bounds of a lowered component
+   * reach into; empty if none is lowered. */
+  std::vector<std::uint16_t> m_MayBeLowered{};
 
   double                      m_Resolution; // steps of space in which delta varies
   DelaunayRefinementSizeField m_Field{};

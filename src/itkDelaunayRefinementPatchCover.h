@@ -98,14 +98,15 @@ public:
     return m_Groups[number];
   }
 
-  /** The words that are at hand, as scratch. */
+  /** Room for the numbers of words, which calls leave anything in. */
   using NumbersType = DelaunayRefinementSurfaceWords::NumbersType;
 
   /** Clears all cells that a vertex covers. */
   void
   CoverFrom(const PointType & vertex, NumbersType & scratch);
 
-  /** The same for a vertex in a block; safe while other threads do it for other blocks of this color. */
+  /** The same for a vertex in a block; safe while other threads, each with scratch of its own, do it for
+   * other blocks of this color. */
   void
   CoverFrom(const PointType & vertex, std::size_t block, NumbersType & scratch);
 

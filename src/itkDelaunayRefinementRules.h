@@ -111,7 +111,7 @@ public:
   Fires(IndexType cell) const;
 
 private:
-  /** Whether the regions on either side of a facet differ. */
+  /** Whether the regions on either side of a facet differ: quickly asked before FiresR3(), which asks it, too. */
   bool
   IsBetweenRegions(IndexType cell, unsigned int i) const
   {

@@ -29,7 +29,6 @@ namespace itk
 namespace
 {
 using Geometry = DelaunayRefinementGeometry;
-
 } // namespace
 
 void

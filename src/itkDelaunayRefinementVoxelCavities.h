@@ -71,7 +71,7 @@ private:
   void
   FindGaps(const DelaunayRefinementVoxelComponents & components);
 
-  /** Whether nothing surrounds a row. */
+  /** Whether a row is at the image's border, so that nothing surrounds its gaps. */
   bool
   IsAtBorder(std::int32_t y, std::int32_t z) const;
 

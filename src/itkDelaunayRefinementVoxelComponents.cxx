@@ -159,7 +159,7 @@ DelaunayRefinementVoxelComponents::FindComponents(DelaunayRefinementThreads * th
   {
     this->JoinSliceToPrevious(static_cast<std::int32_t>(z));
   }
-  m_RowComponents = {};
+  m_RowComponents = DelaunayRefinementArray<ComponentType>();
   this->NumberComponents();
 
   // Each piece has its own list of components, which is to be shorter than its list of runs.

@@ -214,6 +214,28 @@ TEST(DelaunayRefinementMeshFilterComponents, SmallOnesAreMeshedOrNamed)
   }
 }
 
+TEST(DelaunayRefinementMeshFilterComponents, SmallOnesAloneAreMeshed)
+{
+  // Each may be left out beside larger ones, but not if there is nothing else.
+  for (const double delta : { 0.5, 2.0, 20.0 })
+  {
+    for (const double bound : { 0.0, 1.0 })
+    {
+      const auto filter = MakeFilter(MakeVoxels(8, { { 4, 4, 4 } }).GetPointer(), delta);
+      filter->SetHausdorffBound(bound);
+      filter->Update();
+      ExpectGuarantees(GetMesh(filter.GetPointer()));
+      EXPECT_TRUE(filter->GetStatistics().missingComponents.empty());
+    }
+    const auto labels = MakeVoxels(12, { { 2, 2, 2 }, { 9, 9, 9 } });
+    labels->SetPixel({ { 9, 9, 9 } }, 2);
+    const auto filter = MakeFilter(labels.GetPointer(), delta);
+    filter->Update();
+    ExpectGuarantees(GetMesh(filter.GetPointer()));
+    EXPECT_TRUE(filter->GetMissingLabels().empty());
+  }
+}
+
 TEST(DelaunayRefinementMeshFilterComponents, EachOfManyIsFoundOrNamed)
 {
   // A block, and around it more components than bits fit into a word: single voxels and cubes of eight in turn.
