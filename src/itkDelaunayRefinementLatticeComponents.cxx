@@ -56,6 +56,9 @@ constexpr double LeastDeltaInVoxels = 0.1;
 constexpr double ThinInVoxels = 0.75;
 constexpr double DeltaPerRadiusOfThin = 2.0;
 
+/** The same for those of few voxels: single ones would be lost at more, and R1 asked again for their sake. */
+constexpr double DeltaPerRadiusOfFew = 1.5;
+
 /** A component of fewer voxels may be left out. */
 constexpr std::size_t FewVoxels = 8;
 
@@ -361,7 +364,8 @@ DelaunayRefinementLatticeOracle::ComputeComponentDelta(const DelaunayRefinementC
                                                        double                              delta) const
 {
   const double spacing = this->GetLeastSpacing();
-  const double factor = component.inscribedRadius < ThinInVoxels * spacing ? DeltaPerRadiusOfThin : 1.0;
+  const double ofThin = component.numberOfVoxels < FewVoxels ? DeltaPerRadiusOfFew : DeltaPerRadiusOfThin;
+  const double factor = component.inscribedRadius < ThinInVoxels * spacing ? ofThin : 1.0;
   return std::min(delta, std::max(factor * component.inscribedRadius, LeastDeltaInVoxels * spacing));
 }
 
