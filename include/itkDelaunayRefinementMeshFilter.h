@@ -403,6 +403,10 @@ private:
   void
   VerifyObject(const InputImageType * image, const DelaunayRefinementLatticeOracle & oracle) const;
 
+  /** Whether a component may be left out at the delta that holds for it. */
+  bool
+  IsNegligible(std::uint32_t component, const DelaunayRefinementLatticeOracle & oracle) const;
+
   /** Returns the numbers of the components that stay. */
   std::vector<std::uint32_t>
   LeaveOutNegligibleComponents(DelaunayRefinementLatticeOracle & oracle) const;
@@ -471,6 +475,11 @@ private:
 
   static std::string
   DescribePlace(const DelaunayRefinementPoint & place);
+
+  /** Of a component or a cavity: how many, and where. */
+  template <typename TPart>
+  static std::string
+  DescribeVoxels(const TPart & part);
 
   std::string
   DescribeComponent(const DelaunayRefinementComponent & component) const;

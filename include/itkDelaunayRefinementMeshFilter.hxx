@@ -268,6 +268,15 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::GenerateData()
 }
 
 template <typename TInputImage, typename TOutputMesh>
+bool
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::IsNegligible(
+  std::uint32_t                           component,
+  const DelaunayRefinementLatticeOracle & oracle) const
+{
+  return oracle.IsNegligible(m_Components[component], this->GetDeltaOf(m_Components[component]));
+}
+
+template <typename TInputImage, typename TOutputMesh>
 std::vector<std::uint32_t>
 DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::LeaveOutNegligibleComponents(
   DelaunayRefinementLatticeOracle & oracle) const
@@ -281,8 +290,7 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::LeaveOutNegligibleCompon
       withVolume.push_back(i);
       // Small ones of several labels may have others around them, and leave no hole there. Bounds on distance
       // and topology hold for all.
-      if (m_RegionLabels.size() > 1 || m_HausdorffBound > 0.0 || m_PreserveTopology ||
-          !oracle.IsNegligible(m_Components[i], this->GetDeltaOf(m_Components[i])))
+      if (m_RegionLabels.size() > 1 || m_HausdorffBound > 0.0 || m_PreserveTopology || !this->IsNegligible(i, oracle))
       {
         kept.push_back(i);
       }
@@ -411,9 +419,7 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::MakeParameters(const Del
     this->UpdateProgress(static_cast<float>(progress));
     return !this->GetAbortGenerateData();
   };
-  const auto isNegligible = [&](std::uint32_t component) {
-    return oracle.IsNegligible(m_Components[component], this->GetDeltaOf(m_Components[component]));
-  };
+  const auto isNegligible = [&](std::uint32_t component) { return this->IsNegligible(component, oracle); };
   // If all are, they are all there is.
   const bool mayLeaveOut = !std::all_of(kept.begin(), kept.end(), isNegligible);
   for (const std::uint32_t component : kept)

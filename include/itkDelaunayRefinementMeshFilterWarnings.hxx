@@ -73,6 +73,17 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::DescribePlace(const Dela
 }
 
 template <typename TInputImage, typename TOutputMesh>
+template <typename TPart>
+std::string
+DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::DescribeVoxels(const TPart & part)
+{
+  std::ostringstream text;
+  text << part.numberOfVoxels << (part.numberOfVoxels == 1 ? " voxel" : " voxels") << " at ("
+       << DescribePlace(part.firstVoxel) << ")";
+  return text.str();
+}
+
+template <typename TInputImage, typename TOutputMesh>
 std::string
 DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::DescribeComponent(
   const DelaunayRefinementComponent & component) const
@@ -84,8 +95,7 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::DescribeComponent(
          << static_cast<typename NumericTraits<InputPixelType>::PrintType>(m_RegionLabels[component.region - 1])
          << " with ";
   }
-  text << component.numberOfVoxels << (component.numberOfVoxels == 1 ? " voxel" : " voxels") << " at ("
-       << DescribePlace(component.firstVoxel) << ")";
+  text << DescribeVoxels(component);
   return text.str();
 }
 
@@ -187,11 +197,7 @@ DelaunayRefinementMeshFilter<TInputImage, TOutputMesh>::WarnOfCavities()
   {
     return;
   }
-  const auto describe = [&](std::ostream & text, std::size_t i) {
-    const DelaunayRefinementCavity & cavity = m_Cavities[missing[i]];
-    text << cavity.numberOfVoxels << (cavity.numberOfVoxels == 1 ? " voxel" : " voxels") << " at ("
-         << DescribePlace(cavity.firstVoxel) << ")";
-  };
+  const auto describe = [&](std::ostream & text, std::size_t i) { text << DescribeVoxels(m_Cavities[missing[i]]); };
   std::ostringstream text;
   text << missing.size() << " of " << m_Cavities.size() << (missing.size() == 1 ? " cavities is" : " cavities are")
        << " too small for Delta " << m_EffectiveDelta << " mm" << orOwn << orSmoothing

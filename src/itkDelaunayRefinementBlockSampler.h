@@ -138,15 +138,15 @@ private:
   DelaunayRefinementNearbyPoints   m_FewVertices{}; // the same in the same order, as long as they are few
 
   // Scratch of single calls.
-  std::vector<std::uint32_t>             m_Order{};
-  PatchesType                            m_Wholes{};
-  PatchesType                            m_Parts{};
-  PointType                              m_Center{}; // of the box around which m_Found was
-  PointType                              m_HalfExtents{};
-  DelaunayRefinementArray<PointType>     m_Found{};
-  std::vector<std::uint32_t>             m_FoundFew{};
-  DelaunayRefinementNearbyPoints         m_Nearby{};
-  DelaunayRefinementArray<std::uint32_t> m_Reached{};
+  std::vector<std::uint32_t>                m_Order{};
+  PatchesType                               m_Wholes{};
+  PatchesType                               m_Parts{};
+  PointType                                 m_Center{}; // of the box around which m_Found was
+  PointType                                 m_HalfExtents{};
+  DelaunayRefinementArray<PointType>        m_Found{};
+  std::vector<std::uint32_t>                m_FoundFew{};
+  DelaunayRefinementNearbyPoints            m_Nearby{};
+  DelaunayRefinementPatchCover::NumbersType m_Reached{};
 };
 } // end namespace itk
 

@@ -318,12 +318,9 @@ DelaunayRefinementBricks::Update(const DelaunayRefinementVoxelMask &     mask,
           {
             m_Cells[this->GetNumber({ x, y, z })] = rows.Gather(x % 16);
           }
-          else if (mask.GetConfiguration(4 * x, 4 * y, 4 * z) == 0)
+          else if (this->GetKind({ x, y, z }) == BrickEnum::INSIDE && mask.GetConfiguration(4 * x, 4 * y, 4 * z) == 0)
           {
-            // All of it is outside now; bricks that had no surface have no number.
-            std::uint32_t &    kinds = m_Kinds[this->ToWord({ x, y, z })];
-            const unsigned int shift = GetShift({ x, y, z });
-            kinds &= ~((kinds >> shift & 3u) == Emptied ? 0u : 3u << shift);
+            m_Kinds[this->ToWord({ x, y, z })] &= ~(3u << GetShift({ x, y, z }));
           }
         }
       }
@@ -364,12 +361,9 @@ DelaunayRefinementBricks::DelaunayRefinementBricks(const DelaunayRefinementVoxel
   Threads::RunPieces(threads, rows, length, [&](std::size_t piece, std::size_t begin, std::size_t end) {
     parts[piece].firstWord = begin * m_WordsPerRow;
     parts[piece].endOfWords = end * m_WordsPerRow;
-    for (std::size_t row = begin; row < end; ++row)
-    {
-      const auto y = static_cast<std::int32_t>(row % size[1]);
-      const auto z = static_cast<std::int32_t>(row / size[1]);
+    DelaunayRefinementVoxelMask::VisitRows(size, begin, end, [&](std::size_t, std::int32_t y, std::int32_t z) {
       this->FindBricks(mask, changes, y, z, parts[piece]);
-    }
+    });
   });
   this->JoinParts(parts, threads);
   this->UpdateBounds();

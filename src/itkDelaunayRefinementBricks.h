@@ -187,6 +187,9 @@ private:
   /** In place of the kind of a brick that held surface once, and whose voxels are all outside now. */
   static constexpr std::uint32_t Emptied = 3;
 
+  /** The higher bit of each pair: set for bricks that hold surface, or did. */
+  static constexpr std::uint32_t HigherOfPairs = 0xAAAAAAAAu;
+
   std::size_t
   ToWord(const IndexType & brick) const
   {
@@ -207,11 +210,8 @@ private:
   {
     const std::size_t   word = this->ToWord(brick);
     const std::uint32_t before = (1u << GetShift(brick)) - 1;
-    return m_FirstNumbers[word] + CountDelaunayRefinementBits(m_Kinds[word] & before & EitherOfPairs);
+    return m_FirstNumbers[word] + CountDelaunayRefinementBits(m_Kinds[word] & before & HigherOfPairs);
   }
-
-  /** The bits of pairs that are set for bricks with surface, or that had some. */
-  static constexpr std::uint32_t EitherOfPairs = 0xAAAAAAAAu;
 
   struct LevelType
   {

@@ -105,8 +105,8 @@ public:
   void
   CoverFrom(const PointType & vertex, NumbersType & scratch);
 
-  /** The same for a vertex in a block; safe while other threads, each with scratch of its own, do it for
-   * other blocks of this color. */
+  /** The same for a vertex in a block; safe while other threads, each with scratch of its own, do it for other blocks
+   * of this color. */
   void
   CoverFrom(const PointType & vertex, std::size_t block, NumbersType & scratch);
 

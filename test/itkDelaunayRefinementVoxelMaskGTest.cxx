@@ -31,7 +31,7 @@ using itk::DelaunayRefinementVoxelMask;
 
 namespace
 {
-/** One in so many voxels is set, and blocks of some size with them. */
+/** Blocks of some size, each with its first voxel at one in so many. */
 DelaunayRefinementVoxelMask
 MakeMask(const DelaunayRefinementVoxelMask::SizeType & size, unsigned int oneIn, int block, std::mt19937_64 & random)
 {
@@ -42,7 +42,8 @@ MakeMask(const DelaunayRefinementVoxelMask::SizeType & size, unsigned int oneIn,
     {
       for (std::int32_t x = 0; x < size[0]; ++x)
       {
-        for (std::int32_t i = 0; random() % oneIn == 0 && i < block * block * block; ++i)
+        const std::int32_t number = random() % oneIn == 0 ? block * block * block : 0;
+        for (std::int32_t i = 0; i < number; ++i)
         {
           const std::int32_t to[3] = { x + i % block, y + i / block % block, z + i / block / block };
           if (to[0] < size[0] && to[1] < size[1] && to[2] < size[2])
@@ -56,7 +57,7 @@ MakeMask(const DelaunayRefinementVoxelMask::SizeType & size, unsigned int oneIn,
   return mask;
 }
 
-/** Every other value, so that each of two neighbors has a region of its own where both are set. */
+/** Of regions in which one in eight voxels differs from the others. */
 DelaunayRefinementRegionChanges
 MakeChanges(const DelaunayRefinementVoxelMask::SizeType & size, std::mt19937_64 & random)
 {
